@@ -1,0 +1,54 @@
+# Functions by which every room states its library and its tests.
+include_guard(GLOBAL)
+
+function(porowave_compile_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                                           $<$<BOOL:${POROWAVE_WARNINGS_AS_ERRORS}>:-Werror>)
+  if(POROWAVE_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=address,undefined
+                                             -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(${target} PRIVATE -fsanitize=address,undefined)
+  endif()
+endfunction()
+
+# porowave_library(name SOURCES ... PUBLIC ... PRIVATE ...): the library porowave::name, its sources
+# given relative to the room. Headers are found by their path from the top of the tree.
+function(porowave_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  set(target porowave_${name})
+  add_library(${target} STATIC ${ARG_SOURCES})
+  add_library(porowave::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                             $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/porowave>)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  porowave_compile_options(${target})
+  set_property(GLOBAL APPEND PROPERTY POROWAVE_LIBRARIES ${target})
+endfunction()
+
+# porowave_tests(room LABEL label STEMS a b/c ... EXTRA ... LINK ...): one Boost.Test program of the room's
+# test_main.cpp and a_test.cpp, b/c_test.cpp, ...; CTest runs each file's suite (named as its stem)
+# by itself. A suite that does not exist is an error of Boost.Test, so no file can be skipped.
+function(porowave_tests room)
+  if(NOT POROWAVE_TESTS)
+    return()
+  endif()
+  cmake_parse_arguments(ARG "" "LABEL" "STEMS;EXTRA;LINK" ${ARGN})
+  string(REPLACE "/" "_" program ${room}_tests)
+  set(sources test_main.cpp ${ARG_EXTRA})
+  foreach(stem ${ARG_STEMS})
+    list(APPEND sources ${stem}_test.cpp)
+  endforeach()
+  add_executable(${program} ${sources})
+  target_compile_definitions(${program} PRIVATE BOOST_TEST_DYN_LINK
+                             POROWAVE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${program} PRIVATE ${ARG_LINK} Boost::unit_test_framework)
+  porowave_compile_options(${program})
+  foreach(stem ${ARG_STEMS})
+    get_filename_component(suite ${stem} NAME)
+    add_test(NAME ${room}/${stem} COMMAND ${program} --run_test=${suite}
+             --log_level=message --report_level=short)
+    set_tests_properties(${room}/${stem} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT 300)
+  endforeach()
+endfunction()

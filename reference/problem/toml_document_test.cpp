@@ -1,0 +1,113 @@
+#include "reference/problem/toml_document.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "reference/problem/errors.hpp"
+
+using porowave::InputError;
+using porowave::Range;
+using porowave::TomlDocument;
+
+namespace {
+
+/// The message of the InputError that `action` throws.
+template <class Action>
+std::string message_of(Action&& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+const TomlDocument sample = TomlDocument::parse(
+    "[a]\nwhole = 3\nreal = 0.25\nword = \"mls\"\nlist = [1, 2.5]\nflag = true\n", "case.toml");
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(toml_document)
+
+BOOST_AUTO_TEST_CASE(values_of_the_right_type_are_read) {
+  auto section = sample.section("a");
+  BOOST_TEST(section.present());
+  BOOST_TEST(section.integer("whole", 1, 5) == 3);
+  BOOST_TEST(section.number("whole", Range::positive()) == 3.0);
+  BOOST_TEST(section.number("real", Range::inside(0, 1)) == 0.25);
+  BOOST_TEST(section.text("word") == "mls");
+  const std::vector<double> expected = {1.0, 2.5};
+  BOOST_TEST(section.numbers_or("list", {}, Range::positive()) == expected);
+  BOOST_TEST(section.number_or("absent", 7.0, Range::positive()) == 7.0);
+  BOOST_TEST(!section.has("absent"));
+}
+
+BOOST_AUTO_TEST_CASE(messages_name_file_line_key_value_and_expectation) {
+  auto section = sample.section("a");
+  BOOST_TEST(message_of([&] { section.number("real", Range::inside(1, 2)); }) ==
+             "case.toml:3: [a] real = 0.25: expected a number > 1 and < 2");
+  BOOST_TEST(message_of([&] { section.number("absent", Range::positive()); }) ==
+             "case.toml: [a] absent is missing: expected a number > 0");
+  BOOST_TEST(message_of([&] { section.integer("real", 1, 9); }) ==
+             "case.toml:3: [a] real = 0.25: expected a whole number from 1 to 9");
+  BOOST_TEST(message_of([&] { section.number("word", Range::positive()); }) ==
+             "case.toml:4: [a] word = \"mls\": expected a number > 0");
+  BOOST_TEST(message_of([&] { section.number("flag", Range::positive()); }) ==
+             "case.toml:6: [a] flag = true: expected a number > 0");
+  BOOST_TEST(message_of([&] { section.text("whole"); }) ==
+             "case.toml:2: [a] whole = 3: expected a string");
+  BOOST_TEST(
+      message_of([&] { section.numbers_or("list", {}, Range::inside(0, 2)); }) ==
+      "case.toml:5: [a] list = [ 1, 2.5 ]: expected a list, each entry a number > 0 and < 2");
+}
+
+BOOST_AUTO_TEST_CASE(a_word_is_one_of_those_known) {
+  constexpr std::array<std::string_view, 2> words = {"shape", "mls"};
+  auto section = sample.section("a");
+  BOOST_TEST(section.choice("word", words) == 1u);
+  constexpr std::array<std::string_view, 2> others = {"mlx", "apic"};
+  BOOST_TEST(message_of([&] { section.choice("word", others); }) ==
+             "case.toml:4: [a] word = \"mls\": expected one of mlx, apic (did you mean mlx?)");
+}
+
+BOOST_AUTO_TEST_CASE(keys_that_nobody_asked_for_are_refused_with_a_suggestion) {
+  const auto document = TomlDocument::parse("[a]\nporosty = 0.4\n", "p.toml");
+  auto section = document.section("a");
+  section.has("porosity");
+  section.has("length");
+  BOOST_TEST(message_of([&] { section.done(); }) ==
+             "p.toml:2: [a] porosty = 0.4: unknown key; did you mean porosity?");
+}
+
+BOOST_AUTO_TEST_CASE(tables_that_nobody_knows_are_refused) {
+  const auto document = TomlDocument::parse("top = 1\n[materiel]\n", "p.toml");
+  BOOST_TEST(message_of([&] {
+               document.only({"material", "top"});
+             }) == "p.toml:2: [materiel]: unknown table; did you mean material?");
+  BOOST_TEST(message_of([&] { document.only({"materiel"}); }) ==
+             "p.toml:1: top: unknown top-level key; expected one of materiel");
+  BOOST_TEST(message_of([&] { document.section("top"); }) ==
+             "p.toml:1: top = 1: expected a table [top]");
+}
+
+BOOST_AUTO_TEST_CASE(text_that_is_not_toml_is_refused_with_its_line) {
+  for (const char* text : {"[a]\nb = = 1\n", "[a\n", "a = 1\na = 2\n", "`<", "\x01", "= 1"}) {
+    const std::string message = message_of([&] { TomlDocument::parse(text, "x.toml"); });
+    BOOST_TEST(message.rfind("x.toml:", 0) == 0u);
+    BOOST_TEST(message.find("not TOML") != std::string::npos);
+  }
+  BOOST_TEST(message_of([] { TomlDocument::load("/nonexistent/x.toml"); }) ==
+             "/nonexistent/x.toml: cannot be read: expected a TOML file");
+  BOOST_TEST(message_of([] { TomlDocument::load("/"); }) ==
+             "/: cannot be read: expected a TOML file");
+}
+
+BOOST_AUTO_TEST_CASE(not_a_number_and_infinity_are_never_in_range) {
+  const auto document = TomlDocument::parse("[a]\nx = nan\ny = inf\n", "p.toml");
+  auto section = document.section("a");
+  BOOST_TEST(message_of([&] { section.number("x", Range{}); }) ==
+             "p.toml:2: [a] x = nan: expected a number");
+  BOOST_TEST(message_of([&] { section.number("y", Range{}); }) ==
+             "p.toml:3: [a] y = inf: expected a number");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
