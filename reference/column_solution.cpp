@@ -22,8 +22,8 @@ constexpr int most_nodes = 1 << 16;
 /// Relative error of an arrival time: a few roundings of speeds, paths and their sum.
 constexpr double arrival_rounding = 8.0 * epsilon;
 
-/// A mode may carry little of a field because two parts of it cancel; their rounding stays. It is
-/// counted as this many units of rounding of a full wave.
+/// A mode may carry little of a field, or a load be small at its start, because large parts of it
+/// cancel; their rounding stays. It is counted as this many units of rounding of a full wave.
 constexpr double cancelled = 8.0;
 
 using FourSums = std::array<double, 4>;
@@ -64,6 +64,7 @@ class Integrand {
         rays_(rays),
         t_(t),
         unit_(unit_scale(problem)),
+        peak_(problem.load.peak()),
         sum_(problem, modes, rays) {}
 
   /// Adds the nodes of the upper half plane at angles first, first + step, ... below or at pi;
@@ -87,12 +88,14 @@ class Integrand {
     const ModeState state = modes_.at(s);
     sum_.at(state, [&](std::size_t r, const FieldVector& contribution, double decay) {
       const Ray& ray = rays_[r];
-      const Complex weighted = factor * load_(s, std::max(0.0, t_ - ray.arrival));
+      const double since = std::max(0.0, t_ - ray.arrival);
+      const Complex weighted = factor * load_(s, since);
       // Roundings of the exponents enter multiplied by their size.
       const double exponent = std::abs(s) * t_ + std::abs(state.excess[0]) * ray.path[0] +
                               std::abs(state.excess[1]) * ray.path[1];
       const double amplification = 8.0 + 4.0 * exponent;
-      const double size = std::abs(weighted) * decay;
+      const double full_load = peak_ * since * std::max(1.0, std::exp(s.real() * since));
+      const double size = std::abs(factor) * full_load * decay;
       for (std::size_t field = 0; field < 4; ++field) {
         const Complex term = weighted * contribution[field];
         sum.value[field] += term.real();
@@ -107,6 +110,7 @@ class Integrand {
   std::span<const Ray> rays_;
   double t_;
   FourSums unit_;
+  double peak_;
   RaySum sum_;
 };
 
@@ -137,13 +141,15 @@ ContourResult integrate(Integrand& integrand, const Ellipse& ellipse, int first_
       const double change = std::abs(result.value[f] - before[f]);
       result.error[f] = rounding + change;
       resolved = resolved && change <= rounding;
-      result.worst = std::max(result.worst, result.error[f] / scale[f]);
+      // std::max would drop a NaN, and a sum that overflowed must not look resolved.
+      const double relative = result.error[f] / scale[f];
+      result.worst = std::isfinite(relative) ? std::max(result.worst, relative)
+                                             : std::numeric_limits<double>::infinity();
+      if (!std::isfinite(relative)) break;
       before[f] = result.value[f];
     }
-    if (resolved || !std::isfinite(result.worst)) return result;
+    if (resolved || !std::isfinite(result.worst)) break;
   }
-  result.error.fill(std::numeric_limits<double>::infinity());
-  result.worst = std::numeric_limits<double>::infinity();
   return result;
 }
 

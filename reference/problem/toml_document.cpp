@@ -175,7 +175,7 @@ std::string TomlSection::text(std::string_view key) {
 }
 
 std::string TomlSection::text_or(std::string_view key, std::string fallback) {
-  return find(key) ? text(key) : fallback;
+  return find(key) ? text(key) : std::move(fallback);
 }
 
 std::vector<double> TomlSection::numbers_or(std::string_view key, std::vector<double> fallback,

@@ -1,0 +1,78 @@
+#include "reference/profile.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "reference/problem/problem_fixtures.hpp"
+#include "reference/random_problems.hpp"
+
+using namespace porowave;
+using namespace porowave::reference;
+
+namespace {
+
+/// Largest difference between profile and solution at random points, relative to the load.
+double worst_difference(const Problem& problem, double t, double end, int points) {
+  const ColumnSolution solution(problem);
+  const Profile profile(solution, t, end);
+  fixtures::RandomProblems random(7);
+  double worst = 0.0;
+  for (int i = 0; i < points; ++i) {
+    const double x = random.uniform(0.0, end);
+    const Fields a = profile.at(x);
+    const Fields b = solution.at(x, t).value;
+    worst =
+        std::max({worst, std::abs(a.effective_stress - b.effective_stress) / problem.stress_scale(),
+                  std::abs(a.pore_pressure - b.pore_pressure) / problem.stress_scale(),
+                  std::abs(a.solid_velocity - b.solid_velocity) / problem.velocity_scale(),
+                  std::abs(a.fluid_velocity - b.fluid_velocity) / problem.velocity_scale()});
+  }
+  BOOST_TEST(worst <= profile.error());
+  return worst;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(profile)
+
+BOOST_AUTO_TEST_CASE(it_repeats_the_papers_column) {
+  for (const Load& load :
+       {Load(LoadShape::step, 1.0), Load(LoadShape::smooth_ramp, 2.0, 1e-5),
+        Load(LoadShape::sin4_pulse, 1.0, 1e-5), Load(LoadShape::block, 1.0, 1e-5),
+        Load(LoadShape::ricker, 1.0, 1e-5), Load(1.0, {0.0, 5e-6, 1e-5}, {0.0, 1.0, 0.5})}) {
+    for (const double t : {1e-6, 4e-5, 1.1e-4}) {
+      BOOST_TEST_CONTEXT(name(load.shape()) << " at " << t) {
+        BOOST_TEST(worst_difference(fixtures::paper_problem(load), t, 0.1, 100) < 1e-12);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(it_repeats_columns_of_all_kinds) {
+  fixtures::RandomProblems random(3);
+  for (int trial = 0; trial < 16; ++trial) {
+    const Problem problem =
+        random.next(random.log_uniform(0.1, 10), Load(), static_cast<NearEnd>(trial % 4),
+                    static_cast<FarEnd>(trial / 4));
+    const double length = problem.column.length.value_or(1.0);
+    const double t = 2.3 * length / wave_speeds(problem.material).p1;
+    BOOST_TEST(worst_difference(problem, t, length, 60) < 1e-12);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(ahead_of_the_first_front_it_is_exactly_zero) {
+  const Profile profile(ColumnSolution(fixtures::paper_problem()), 2e-5, 0.1);
+  BOOST_TEST(profile.at(0.06).effective_stress == 0.0);
+  BOOST_TEST(profile.at(0.1).solid_velocity == 0.0);
+  BOOST_TEST(profile.at(0.04).effective_stress < -0.1);
+}
+
+BOOST_AUTO_TEST_CASE(what_the_reference_cannot_resolve_it_does_not_hide) {
+  Problem problem = fixtures::paper_problem();
+  problem.material.intrinsic_permeability = 1e-17;
+  const Profile profile(ColumnSolution(problem), 3e-5, 0.1);
+  const Fields behind = profile.at(0.03);
+  BOOST_TEST(
+      (std::isnan(behind.effective_stress) ? std::isinf(profile.error()) : profile.error() < 1.0));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
