@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "reference/profile.hpp"
+#include "solver/column_solver.hpp"
+#include "verification/norms.hpp"
+
+namespace porowave::verification {
+
+inline constexpr std::array<std::string_view, 4> field_names = {"effective_stress", "pore_pressure",
+                                                                "solid_velocity", "fluid_velocity"};
+
+/// Errors of one field: at the material points of its phase, weighted by their volume, and of the
+/// field reconstructed by the transfer (stresses at cell middles, velocities at nodes).
+struct FieldError {
+  Norms points;
+  Norms field;
+};
+
+/// In the order of field_names.
+using FieldErrors = std::array<FieldError, 4>;
+
+/// Compares a snapshot with the reference profile of the same time, at the snapshot's points,
+/// cell middles and nodes.
+/// Throws std::invalid_argument if the times differ.
+FieldErrors field_errors(const solver::Snapshot& snapshot, const reference::Profile& profile);
+
+}  // namespace porowave::verification

@@ -1,0 +1,70 @@
+#include "verification/run.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <ctime>
+
+#include "reference/problem/errors.hpp"
+
+namespace porowave::verification {
+
+namespace {
+
+/// A reference worse than this could decide a comparison.
+constexpr double sufficient_reference = 1e-6;
+
+double thread_cpu_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+long peak_rss_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss * 1024;  // Linux counts in KiB
+}
+
+}  // namespace
+
+std::shared_ptr<const reference::Profile> reference_profile(const solver::Case& scene) {
+  const double length = solver::ColumnSolver::grid_length(scene);
+  const reference::ColumnSolution solution(scene.problem);
+  auto profile = std::make_shared<const reference::Profile>(solution, scene.time.end, length);
+  if (!(profile->error() <= sufficient_reference)) {
+    const Material& m = scene.problem.material;
+    throw InputError(fmt::format(
+        "the reference cannot resolve this problem at t = {:g} s (bound {:g} of the load; "
+        "relaxation_rate * t = {:g}, expected up to some 300): no error can be given",
+        scene.time.end, profile->error(), m.relaxation_rate() * scene.time.end));
+  }
+  return profile;
+}
+
+RunResult run_case(const solver::Case& scene, const reference::Profile& profile) {
+  const auto wall = std::chrono::steady_clock::now();
+  const double cpu = thread_cpu_seconds();
+  solver::ColumnSolver solver(scene);
+  RunResult result;
+  result.breakdown = solver.run();
+  result.cost.cpu_seconds = thread_cpu_seconds() - cpu;
+  result.cost.wall_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
+  result.snapshot = solver.snapshot();
+  result.steps = solver.steps_done();
+  result.time_step = solver.time_step();
+  result.points = solver.point_count();
+  result.reduced_rows = solver.reduced_rows();
+  result.empty_rows = solver.empty_rows();
+  result.reference_error = profile.error();
+  result.cost.ns_per_point_step = 1e9 * result.cost.cpu_seconds /
+                                  static_cast<double>(result.points) /
+                                  static_cast<double>(result.steps);
+  result.cost.peak_rss_bytes = peak_rss_bytes();
+  if (!result.breakdown) result.errors = field_errors(result.snapshot, profile);
+  return result;
+}
+
+}  // namespace porowave::verification

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "solver/column_solver.hpp"
+#include "verification/field_errors.hpp"
+
+namespace porowave::verification {
+
+/// What a run cost. CPU time is of the calling thread; neither includes the reference.
+struct Cost {
+  double wall_seconds = 0.0;
+  double cpu_seconds = 0.0;
+  double ns_per_point_step = 0.0;  ///< CPU nanoseconds
+  long peak_rss_bytes = 0;         ///< of the process so far
+};
+
+/// One run of the solver, and its errors against the reference.
+struct RunResult {
+  solver::Snapshot snapshot;
+  FieldErrors errors;
+  std::optional<solver::Breakdown> breakdown;  ///< then the snapshot is that of the broken run
+  long steps = 0;
+  double time_step = 0.0;  ///< s
+  std::size_t points = 0;  ///< of both phases
+  std::size_t reduced_rows = 0;
+  std::size_t empty_rows = 0;
+  double reference_error = 0.0;  ///< bound of the reference, relative to the load
+  Cost cost;
+};
+
+/// The reference profile that judges a case: its problem at its end time, over its grid.
+/// Throws InputError if the reference cannot resolve the problem to 1e-6 of the load.
+std::shared_ptr<const reference::Profile> reference_profile(const solver::Case& scene);
+
+/// Runs a case. A numerical breakdown is a result (errors then are those of the broken fields, not
+/// finite where these are not); other failures are exceptions.
+RunResult run_case(const solver::Case& scene, const reference::Profile& profile);
+
+}  // namespace porowave::verification

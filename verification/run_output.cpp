@@ -1,0 +1,88 @@
+#include "verification/run_output.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace porowave::verification {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json norms_json(const Norms& norms) {
+  return {{"l1", number(norms.l1)}, {"l2", number(norms.l2)}, {"linf", number(norms.linf)}};
+}
+
+Json errors_json(const FieldErrors& errors) {
+  Json json;
+  for (std::size_t f = 0; f < errors.size(); ++f) {
+    json[std::string(field_names[f])] = {{"points", norms_json(errors[f].points)},
+                                         {"field", norms_json(errors[f].field)}};
+  }
+  return json;
+}
+
+}  // namespace
+
+void write_points_csv(const solver::Snapshot& snapshot, std::ostream& out) {
+  out << "phase,x,volume,velocity,effective_stress,pore_pressure\n";
+  const auto rows = [&](const solver::PhasePoints& points, const char* format) {
+    for (std::size_t p = 0; p < points.x.size(); ++p) {
+      fmt::print(out, fmt::runtime(format), points.x[p], points.volume[p], points.velocity[p],
+                 points.stress[p]);
+    }
+  };
+  rows(snapshot.solid, "solid,{:.17g},{:.17g},{:.17g},{:.17g},\n");
+  rows(snapshot.fluid, "fluid,{:.17g},{:.17g},{:.17g},,{:.17g}\n");
+}
+
+std::string run_json(const RunResult& result) {
+  Json json;
+  json["errors"] = result.breakdown ? Json(nullptr) : errors_json(result.errors);
+  json["path"] = "points";
+  json["time"] = number(result.snapshot.time);
+  json["time_step"] = number(result.time_step);
+  json["steps"] = result.steps;
+  json["points"] = result.points;
+  json["wall_seconds"] = number(result.cost.wall_seconds);
+  json["cpu_seconds"] = number(result.cost.cpu_seconds);
+  json["ns_per_point_step"] = number(result.cost.ns_per_point_step);
+  json["peak_rss_bytes"] = result.cost.peak_rss_bytes;
+  json["reference_error"] = number(result.reference_error);
+  json["evaluations_of_reduced_order"] = result.reduced_rows;
+  json["evaluations_without_points"] = result.empty_rows;
+  json["diverged"] = result.breakdown.has_value();
+  if (result.breakdown) json["reason"] = result.breakdown->reason;
+  return json.dump(2) + "\n";
+}
+
+std::string run_summary(const RunResult& result) {
+  std::string text = fmt::format(
+      "{} points, {} steps of {:.4g} s, {:.1f} ns per point and step, {:.3g} s of CPU\n",
+      result.points, result.steps, result.time_step, result.cost.ns_per_point_step,
+      result.cost.cpu_seconds);
+  if (result.reduced_rows > 0) {
+    text += fmt::format("{} evaluations had too few points for the basis and lowered its order\n",
+                        result.reduced_rows);
+  }
+  if (result.empty_rows > 0) {
+    text += fmt::format("{} nodes or cell middles are out of reach of every point\n",
+                        result.empty_rows);
+  }
+  if (result.breakdown) return text;
+  text += fmt::format("{:<18}{:>14}{:>14}\n", "relative L2 error", "at points", "of the field");
+  for (std::size_t f = 0; f < field_names.size(); ++f) {
+    text += fmt::format("{:<18}{:>14.4e}{:>14.4e}\n", field_names[f], result.errors[f].points.l2,
+                        result.errors[f].field.l2);
+  }
+  return text;
+}
+
+}  // namespace porowave::verification

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <ostream>
+#include <string>
+
+#include "verification/run.hpp"
+
+namespace porowave::verification {
+
+/// The points of a snapshot as CSV: phase,x,volume,velocity,effective_stress,pore_pressure; one row
+/// a point, the field that a phase has not is empty; 17 digits, all at the snapshot's time.
+void write_points_csv(const solver::Snapshot& snapshot, std::ostream& out);
+
+/// {"errors": {field: {"points": {"l1","l2","linf"}, "field": {...}}}, "path", "steps", ...}.
+/// A number that is not finite becomes null. After a breakdown "diverged" is true, "reason" says
+/// where, and "errors" is null.
+std::string run_json(const RunResult& result);
+
+/// The four fields' L2 errors and the cost in a few lines, for people.
+std::string run_summary(const RunResult& result);
+
+}  // namespace porowave::verification

@@ -1,0 +1,111 @@
+#include "verification/run.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "reference/problem/errors.hpp"
+#include "reference/problem/problem_fixtures.hpp"
+#include "verification/run_output.hpp"
+
+using namespace porowave;
+using namespace porowave::verification;
+using solver::Case;
+
+namespace {
+
+Case small_case() {
+  Case scene;
+  scene.problem = fixtures::paper_problem(Load(LoadShape::smooth_ramp, 1.0, 1e-5));
+  scene.discretization.elements = 50;
+  scene.time.end = 4e-5;
+  return scene;
+}
+
+Case exploding_case() {
+  Case scene = small_case();
+  scene.discretization.transfer = solver::TransferName::shape;
+  scene.discretization.kernel = solver::kernel_name<solver::BSpline1>;
+  scene.discretization.support_radius = 1.0;
+  scene.discretization.basis_order = 0;
+  scene.discretization.placement = solver::Placement::stratified;
+  scene.time.courant = 1.0;
+  scene.time.end = 1e-4;
+  return scene;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(run)
+
+BOOST_AUTO_TEST_CASE(a_run_has_errors_and_a_cost) {
+  const Case scene = small_case();
+  const RunResult result = run_case(scene, *reference_profile(scene));
+  BOOST_TEST(!result.breakdown);
+  BOOST_TEST(result.points == 400u);
+  BOOST_TEST(result.snapshot.time == 4e-5);
+  BOOST_TEST(result.errors[0].field.l2 > 1e-4);
+  BOOST_TEST(result.errors[0].field.l2 < 0.1);
+  BOOST_TEST(result.cost.cpu_seconds > 0.0);
+  BOOST_TEST(result.cost.peak_rss_bytes > 1000000);
+  BOOST_TEST(result.reference_error < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(json_holds_every_norm_of_every_field) {
+  const Case scene = small_case();
+  const RunResult result = run_case(scene, *reference_profile(scene));
+  const auto json = nlohmann::json::parse(run_json(result));
+  for (std::size_t f = 0; f < 4; ++f) {
+    const auto& field = json.at("errors").at(std::string(field_names[f]));
+    BOOST_TEST(field.at("points").at("l1").get<double>() == result.errors[f].points.l1);
+    BOOST_TEST(field.at("points").at("l2").get<double>() == result.errors[f].points.l2);
+    BOOST_TEST(field.at("field").at("l2").get<double>() == result.errors[f].field.l2);
+    BOOST_TEST(field.at("field").at("linf").get<double>() == result.errors[f].field.linf);
+  }
+  BOOST_TEST(json.at("path") == "points");
+  BOOST_TEST(json.at("steps").get<long>() == result.steps);
+  BOOST_TEST(json.at("diverged") == false);
+  for (const char* key : {"wall_seconds", "cpu_seconds", "ns_per_point_step", "peak_rss_bytes"}) {
+    BOOST_TEST(json.at(key).is_number());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_explosion_is_reported_with_step_and_quantity) {
+  const Case scene = exploding_case();
+  const RunResult result = run_case(scene, *reference_profile(scene));
+  BOOST_REQUIRE(result.breakdown);
+  BOOST_TEST(result.breakdown->reason.find("step ") == 0u);
+  BOOST_TEST(result.breakdown->reason.find("at x = ") != std::string::npos);
+  BOOST_TEST(result.steps < result.breakdown->step + 1);
+  const auto json = nlohmann::json::parse(run_json(result));
+  BOOST_TEST(json.at("diverged") == true);
+  BOOST_TEST(json.at("errors").is_null());
+  BOOST_TEST(json.at("reason") == result.breakdown->reason);
+}
+
+BOOST_AUTO_TEST_CASE(points_are_written_with_all_their_digits) {
+  const Case scene = small_case();
+  const RunResult result = run_case(scene, *reference_profile(scene));
+  std::ostringstream out;
+  write_points_csv(result.snapshot, out);
+  std::istringstream lines(out.str());
+  std::string line;
+  std::getline(lines, line);
+  BOOST_TEST(line == "phase,x,volume,velocity,effective_stress,pore_pressure");
+  std::getline(lines, line);
+  BOOST_TEST(line.rfind("solid,", 0) == 0u);
+  BOOST_TEST(line.back() == ',');
+  const double x = std::stod(line.substr(6));
+  BOOST_TEST(x == result.snapshot.solid.x[0]);
+  std::size_t rows = 1;
+  while (std::getline(lines, line)) ++rows;
+  BOOST_TEST(rows == result.points);
+}
+
+BOOST_AUTO_TEST_CASE(without_a_reference_there_is_no_error) {
+  Case scene = small_case();
+  scene.problem.material.intrinsic_permeability = 1e-18;
+  BOOST_CHECK_THROW(reference_profile(scene), InputError);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
