@@ -8,7 +8,7 @@ std::vector<Ray> rays_until(const Problem& problem, const WaveModes& modes, doub
   const bool conversion = converts(problem.column.near) || converts(problem.column.far);
   const bool ends = problem.column.length.has_value();
   const double length = problem.column.length.value_or(0.0);
-  for (int crossings = 0; crossings == 0 || ends; ++crossings) {
+  for (int crossings = 0; (crossings == 0 || ends) && rays.size() <= most_rays; ++crossings) {
     const double last_leg = crossings % 2 == 0 ? x : length - x;
     bool any = false;
     for (int slow = 0; slow <= crossings; ++slow) {

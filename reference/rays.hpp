@@ -20,16 +20,21 @@ struct Ray {
   bool upwards() const { return crossings % 2 == 0; }
 };
 
-/// All rays that reach x by time `until`, in order of `crossings`.
+/// More rays than this are not followed.
+inline constexpr std::size_t most_rays = 200'000;
+
+/// All rays that reach x by time `until`, in order of `crossings`; a list longer than most_rays is
+/// not complete.
 std::vector<Ray> rays_until(const Problem& problem, const WaveModes& modes, double x, double until);
 
-/// Contribution of each ray to the four fields at one s, without the factor e^(-s arrival) and
-/// without the load: amplitude * field of the mode * e^(-excess . path).
+/// Contribution of each ray to the four fields at one s, without the load and without the factor
+/// e^(-s arrival): amplitude * field of the mode, and the exponent -excess . path of its decay,
+/// which may be large and is to be combined with that of the load before either is taken.
 class RaySum {
  public:
   RaySum(const Problem& problem, const WaveModes& modes, std::span<const Ray> rays);
 
-  /// Calls use(ray index, contribution, |e^(-excess . path)|) for every ray.
+  /// Calls use(ray index, fields, exponent) for every ray.
   template <class Use>
   void at(const ModeState& state, Use&& use);
 
@@ -55,12 +60,10 @@ void RaySum::at(const ModeState& state, Use&& use) {
       advance(generation % 2 == 0 ? ends.at_far : ends.at_near);
     }
     const auto mode = static_cast<std::size_t>(ray.mode);
-    const Complex decay =
-        std::exp(-(state.excess[0] * ray.path[0] + state.excess[1] * ray.path[1]));
-    const Complex factor = amplitudes_[static_cast<std::size_t>(ray.slow_crossings)][mode] * decay;
+    const Complex amplitude = amplitudes_[static_cast<std::size_t>(ray.slow_crossings)][mode];
     FieldVector contribution = ray.upwards() ? fields.up[mode] : fields.down[mode];
-    for (Complex& field : contribution) field *= factor;
-    use(r, contribution, std::abs(decay));
+    for (Complex& field : contribution) field *= amplitude;
+    use(r, contribution, -(state.excess[0] * ray.path[0] + state.excess[1] * ray.path[1]));
   }
 }
 

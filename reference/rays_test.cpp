@@ -59,8 +59,9 @@ BOOST_AUTO_TEST_CASE(their_sum_is_the_solution_of_the_boundary_system) {
     const auto rays = rays_until(problem, modes, x, 14.0 * length / modes.speed(0));
     FieldVector sum{};
     RaySum(problem, modes, rays)
-        .at(modes.at(s), [&](std::size_t r, const FieldVector& field, double) {
-          for (std::size_t f = 0; f < 4; ++f) sum[f] += field[f] * std::exp(-s * rays[r].arrival);
+        .at(modes.at(s), [&](std::size_t r, const FieldVector& field, Complex exponent) {
+          const Complex factor = std::exp(exponent - s * rays[r].arrival);
+          for (std::size_t f = 0; f < 4; ++f) sum[f] += field[f] * factor;
         });
     const FieldVector expected = by_boundary_system(problem, modes, s, x);
     // What is missing has been on its way for 14 crossings: e^(-42).

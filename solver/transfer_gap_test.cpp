@@ -255,7 +255,7 @@ BOOST_AUTO_TEST_CASE(no_points_at_all_are_a_vacuum) {
 // Three points carry a quadratic; two only a line, one a constant: counted, not hidden.
 BOOST_AUTO_TEST_CASE(lowered_orders_are_counted) {
   const Grid<1> grid(Vector<1>(0.0), 1.0, CellIndex<1>(1));  // nodes 0 and 1, middle 0.5
-  const auto reduced = [&](std::vector<double> x, int order) {
+  const auto reduced = [&](const std::vector<double>& x, int order) {
     PointSet<1> points;
     for (const double y : x) points.x.emplace_back(y);
     points.volume = points.mass = std::vector<double>(x.size(), 1.0);

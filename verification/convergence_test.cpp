@@ -163,4 +163,20 @@ BOOST_AUTO_TEST_CASE(every_load_is_followed) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(stiff_drag_does_not_limit_the_time_step) {
+  // θ Δt is 130 and 65: a scheme with explicit drag would explode. The end is sealed because a
+  // drained one has a consolidation layer thinner than an element.
+  Case scene = papers_case<solver::BSpline1>(Placement::uniform, smooth);
+  scene.problem.material.intrinsic_permeability = 1e-15;
+  scene.problem.column.near = NearEnd::sealed_traction;
+  const auto profile = reference_profile(scene);
+  const auto coarse = median_errors(scene, 100, 1, *profile);
+  const auto fine = median_errors(scene, 200, 1, *profile);
+  for (const std::size_t f : {0u, 1u, 2u, 3u}) {
+    BOOST_TEST_MESSAGE("stiff drag, " << field_names[f] << ": " << coarse[f] << " at 100, "
+                                      << fine[f] << " at 200 cells");
+    BOOST_TEST(std::log2(coarse[f] / fine[f]) > 1.6);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -34,11 +34,10 @@ std::shared_ptr<const reference::Profile> reference_profile(const solver::Case& 
   const reference::ColumnSolution solution(scene.problem);
   auto profile = std::make_shared<const reference::Profile>(solution, scene.time.end, length);
   if (!(profile->error() <= sufficient_reference)) {
-    const Material& m = scene.problem.material;
     throw InputError(fmt::format(
-        "the reference cannot resolve this problem at t = {:g} s (bound {:g} of the load; "
-        "relaxation_rate * t = {:g}, expected up to some 300): no error can be given",
-        scene.time.end, profile->error(), m.relaxation_rate() * scene.time.end));
+        "the reference cannot resolve this problem at t = {:g} s (bound {:g} of the load), so no "
+        "error can be given: expected an end before some hundred crossings of the fast wave",
+        scene.time.end, profile->error()));
   }
   return profile;
 }

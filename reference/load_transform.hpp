@@ -1,0 +1,71 @@
+#pragma once
+
+#include <complex>
+#include <utility>
+#include <vector>
+
+#include "reference/problem/load.hpp"
+
+namespace porowave::reference {
+
+/// value * e^exponent, and the size of the largest terms that value is the difference of. Both
+/// factors may be too large or too small to be multiplied before other exponents are added.
+struct ScaledTransform {
+  std::complex<double> value;
+  double size;
+  std::complex<double> exponent;
+};
+
+/// A simple pole of an event's transform on the imaginary axis, and its conjugate.
+struct ImaginaryPole {
+  double frequency;  ///< the pole is at i * frequency, 1/s
+  double residue;    ///< at both poles
+};
+
+/// The load in the Laplace domain, split so that every part decays to the left as fast as it can.
+///
+/// q(t) is a sum of events: event e starts at time t_e and is analytic from there on, with a
+/// transform Q_e(s) that has poles at 0 or on the imaginary axis only. For a wave that has
+/// travelled for `since` after an event's arrival, the inversion needs e^(s since) Q_e(s). Once all
+/// events are well over, their sum, `settled`, is needed instead: the transform of the whole load,
+/// in which large terms of opposite sign have cancelled.
+///
+/// The ricker wavelet has no analytic continuation that is small; while it passes, its part W(s) =
+/// integral_0^tau q(t') e^(s (tau - t')) dt' is used, with the load itself at the front.
+class LoadTransform {
+ public:
+  explicit LoadTransform(const Load& load);
+
+  const std::vector<double>& event_times() const { return event_times_; }
+  /// Time of the last event; from then on the load is constant.
+  double end() const { return end_; }
+  /// True if a wave that has travelled for tau has to be treated event by event.
+  bool passing(double tau) const { return tau < 1.25 * end_; }
+  /// True if a passing load has no events (ricker); then `passing_part` is to be used.
+  bool without_events() const { return load_.shape() == LoadShape::ricker; }
+
+  /// e^(s since) Q_e(s)
+  ScaledTransform event(std::size_t e, std::complex<double> s, double since) const;
+  std::vector<ImaginaryPole> event_poles(std::size_t e) const;
+  /// e^(s tau) times the transform of the whole load, for tau >= end().
+  ScaledTransform settled(std::complex<double> s, double tau) const;
+  /// W(s), for any tau; entire in s.
+  ScaledTransform passing_part(std::complex<double> s, double tau) const;
+
+  /// Times and sizes of the jumps of q (including the one at t = 0).
+  const std::vector<std::pair<double, double>>& jumps() const { return jumps_; }
+  double value(double tau) const { return load_.value(tau); }
+  double peak() const { return peak_; }
+
+ private:
+  std::complex<double> whole(std::complex<double> s) const;
+
+  Load load_;
+  double peak_;
+  double end_;
+  std::vector<double> event_times_;
+  std::vector<std::pair<double, double>> jumps_;
+  std::vector<double> slope_changes_;  ///< of a table, at its times
+};
+
+}  // namespace porowave::reference

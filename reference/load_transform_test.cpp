@@ -1,0 +1,135 @@
+#include "reference/load_transform.hpp"
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/test/unit_test.hpp>
+#include <numbers>
+
+using porowave::Load;
+using porowave::LoadShape;
+using porowave::reference::LoadTransform;
+using Complex = std::complex<double>;
+
+namespace {
+
+Complex unscaled(const porowave::reference::ScaledTransform& t) {
+  return t.value * std::exp(t.exponent);
+}
+
+const std::vector<Load> loads = {Load(LoadShape::step, 3.0),
+                                 Load(LoadShape::smooth_ramp, 3.0, 2.0),
+                                 Load(LoadShape::sin4_pulse, 3.0, 2.0),
+                                 Load(LoadShape::block, 3.0, 2.0),
+                                 Load(LoadShape::ricker, 3.0, 2.0),
+                                 Load(3.0, {0.2, 0.5, 0.5, 1.5}, {1.0, 2.0, -1.0, 0.25})};
+
+Complex integral(const Load& load, Complex s, double tau) {
+  using Rule = boost::math::quadrature::gauss<double, 30>;
+  std::vector<double> breaks = {0.0, 0.2, 0.5, 1.0, 1.5, 2.0, tau};
+  std::sort(breaks.begin(), breaks.end());
+  Complex sum = 0.0;
+  for (std::size_t i = 0; i + 1 < breaks.size() && breaks[i + 1] <= tau; ++i) {
+    for (int panel = 0; panel < 12; ++panel) {
+      const double width = (breaks[i + 1] - breaks[i]) / 12;
+      const double start = breaks[i] + panel * width;
+      const auto f = [&](double t) { return load.value(t) * std::exp(s * (tau - t)); };
+      sum += Complex(Rule::integrate([&](double t) { return f(t).real(); }, start, start + width),
+                     Rule::integrate([&](double t) { return f(t).imag(); }, start, start + width));
+    }
+  }
+  return sum;
+}
+
+/// (1/2 pi i) times the integral of f round a circle about 0.
+template <class Function>
+double inverse(double radius, Function&& f) {
+  constexpr int nodes = 400;
+  Complex sum = 0.0;
+  for (int i = 0; i < nodes; ++i) {
+    const Complex s = std::polar(radius, 2.0 * std::numbers::pi * (i + 0.5) / nodes);
+    sum += f(s) * s;
+  }
+  return sum.real() / nodes;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(load_transform)
+
+BOOST_AUTO_TEST_CASE(the_events_together_are_the_load) {
+  // Inverted by themselves, the events that have happened add up to q.
+  for (const Load& load : loads) {
+    const LoadTransform transform(load);
+    if (transform.without_events()) continue;
+    for (const double tau : {0.05, 0.3, 1.1, 1.9, 2.4}) {
+      double q = 0.0;
+      for (std::size_t e = 0; e < transform.event_times().size(); ++e) {
+        const double since = tau - transform.event_times()[e];
+        if (since < 0.0) continue;
+        q += inverse(8.0, [&](Complex s) { return unscaled(transform.event(e, s, since)); });
+      }
+      BOOST_TEST_CONTEXT(name(load.shape()) << " at " << tau) {
+        BOOST_TEST(std::abs(q - load.value(tau)) < 1e-14 * std::exp(8.0 * tau));
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(poles_outside_of_a_contour_are_given_with_their_residues) {
+  const LoadTransform transform(loads[2]);
+  const double tau = 0.7;
+  const double inside =
+      inverse(1.0, [&](Complex s) { return unscaled(transform.event(0, s, tau)); });
+  double at_poles = 0.0;
+  for (const auto& pole : transform.event_poles(0)) {
+    at_poles += 2.0 * pole.residue * std::cos(pole.frequency * tau);
+  }
+  BOOST_TEST(std::abs(inside + at_poles - loads[2].value(tau)) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(once_settled_it_is_the_transform_of_the_whole_load) {
+  for (const Load& load : loads) {
+    const LoadTransform transform(load);
+    for (const double tau : {2.0, 2.6, 5.0}) {
+      for (const Complex s :
+           {Complex(0.5, 1e-3), Complex(1, 3), Complex(0.01, 2 * 3.141592), Complex(0.2, 30)}) {
+        // Beyond the end the load stays: the rest of the integral is q_end e^(s (tau - end))/s.
+        const double end = transform.end();
+        const Complex expected =
+            std::exp(s * (tau - end)) * (integral(load, s, end) + load.value(tau + 10.0) / s);
+        const auto settled = transform.settled(s, tau);
+        const Complex value = unscaled(settled);
+        const double size = settled.size * std::exp(settled.exponent.real());
+        BOOST_TEST_CONTEXT(name(load.shape()) << ", tau = " << tau << ", s = " << s) {
+          BOOST_TEST(std::abs(value - expected) < 1e-14 * size);
+          BOOST_TEST(std::abs(value) <= size * (1.0 + 1e-14));
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_passing_wavelet_is_its_convolution) {
+  const LoadTransform transform(loads[4]);
+  for (const double tau : {0.3, 1.1, 1.9, 3.0}) {
+    for (const Complex s : {Complex(1e-6, 0), Complex(-3, 0.5), Complex(2, 3), Complex(0, 30)}) {
+      const auto part = transform.passing_part(s, tau);
+      BOOST_TEST(std::abs(unscaled(part) - integral(loads[4], s, tau)) < 1e-14 * part.size);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(jumps_are_those_of_the_load) {
+  for (const Load& load : loads) {
+    const LoadTransform transform(load);
+    for (const auto& [time, size] : transform.jumps()) {
+      const double before = load.value(time - 1e-12);
+      const bool doubled = load.shape() == LoadShape::table && time == 0.5 && size == 0.0;
+      if (!doubled) BOOST_TEST(std::abs(load.value(time) - before - size) < 1e-9);
+    }
+  }
+  BOOST_TEST(LoadTransform(loads[0]).jumps().size() == 1u);
+  BOOST_TEST(LoadTransform(loads[1]).jumps().empty());
+  BOOST_TEST(LoadTransform(loads[3]).jumps().size() == 2u);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
