@@ -8,7 +8,9 @@ install(TARGETS ${libraries} porowave EXPORT porowaveTargets
 foreach(room reference solver verification reports)
   install(DIRECTORY ${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/porowave
           FILES_MATCHING PATTERN "*.hpp" PATTERN "tables" EXCLUDE PATTERN "gallery" EXCLUDE
-          PATTERN "studies" EXCLUDE PATTERN "baselines" EXCLUDE)
+          PATTERN "studies" EXCLUDE PATTERN "baselines" EXCLUDE
+          PATTERN "*_fixtures.hpp" EXCLUDE PATTERN "test_*.hpp" EXCLUDE
+          PATTERN "random_problems.hpp" EXCLUDE)  # these serve the tests
 endforeach()
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/porowave)
@@ -27,6 +29,8 @@ set(CPACK_PACKAGE_CONTACT "the porowave developers")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/deb_tools.cmake)
+set(CPACK_STRIP_FILES ON)
 # A program's user needs gnuplot; a library's user needs what porowaveConfig.cmake looks for.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS

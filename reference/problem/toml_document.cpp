@@ -25,18 +25,20 @@ struct TomlSection::Node {
 
 namespace {
 
-std::string shown(const toml::node& node) {
-  std::ostringstream out;
-  if (const auto* text = node.as_string()) {
-    return fmt::format("\"{}\"", text->get());
+/// On one line, whatever the value holds.
+std::string on_one_line(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
   }
-  if (const auto* number = node.as_floating_point()) {
-    return fmt::format("{}", number->get());
-  }
-  node.visit([&](const auto& value) { out << value; });
-  std::string text = out.str();
-  std::replace(text.begin(), text.end(), '\n', ' ');
   return text.size() > 60 ? text.substr(0, 57) + "..." : text;
+}
+
+std::string shown(const toml::node& node) {
+  if (const auto* text = node.as_string()) return on_one_line(fmt::format("\"{}\"", text->get()));
+  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+  std::ostringstream out;
+  node.visit([&](const auto& value) { out << value; });
+  return on_one_line(out.str());
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <functional>
+
+namespace porowave::reports {
+
+/// A subcommand adds itself to the program; `run` is set to what it does when it was chosen.
+/// The function returns the exit code.
+using Command = std::function<int()>;
+
+void add_reference_command(CLI::App& program, Command& run);
+void add_solve_command(CLI::App& program, Command& run);
+void add_demo_command(CLI::App& program, Command& run);
+
+}  // namespace porowave::reports

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reference/column_solution.hpp"
+#include "reports/gnuplot.hpp"
+#include "solver/case.hpp"
+#include "verification/run.hpp"
+
+namespace porowave::reports {
+
+/// One row of a figure of profiles: a run and what it is compared with.
+struct ProfileRow {
+  std::string title;
+  solver::Case scene;
+  verification::RunResult run;
+};
+
+/// Rows of effective stress and pore pressure at the material points over the reference, with the
+/// fronts marked and the empty element shaded. All rows share their axes, which show the reference
+/// and at most as much again above and below it.
+Figure profile_figure(const std::string& name, const std::string& caption,
+                      const std::vector<ProfileRow>& rows);
+
+/// One curve of error against element length and CPU time.
+struct ConvergenceCurve {
+  std::string title;
+  struct Level {
+    int elements;
+    double element_length;  ///< m
+    double error;           ///< relative L2 of the reconstructed effective stress
+    double cpu_seconds;
+  };
+  std::vector<Level> levels;
+};
+
+Figure convergence_figure(const std::string& name, const std::string& caption,
+                          const std::vector<ConvergenceCurve>& curves);
+
+}  // namespace porowave::reports

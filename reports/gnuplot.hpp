@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace porowave::reports {
+
+/// One figure: <name>.gp and <name>.dat beside <name>.svg and <name>.png, so that anyone can
+/// restyle it and run `gnuplot <name>.gp` again.
+struct Figure {
+  std::string name;           ///< file name without ending; letters, digits, - and _ only
+  std::string template_name;  ///< which of reports/plots/*.gp draws it
+  /// Gnuplot string variables that the template uses; values are escaped here.
+  std::vector<std::pair<std::string, std::string>> texts;
+  std::string data;  ///< contents of <name>.dat
+};
+
+/// Writes data and script, runs gnuplot, and returns the files written (svg, png, gp, dat).
+/// Throws EnvironmentError if gnuplot is missing or fails; then nothing of the figure is left.
+std::vector<std::filesystem::path> draw(const Figure& figure,
+                                        const std::filesystem::path& directory);
+
+/// Throws EnvironmentError, with the remedy, if there is no gnuplot; call before long work.
+void require_gnuplot();
+
+/// A gnuplot expression for a string of exactly these characters; line breaks become spaces.
+std::string gnuplot_string(const std::string& text);
+
+}  // namespace porowave::reports
