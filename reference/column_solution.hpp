@@ -28,7 +28,8 @@ struct BoundedFields {
 /// the rounding of its terms; it is mostly 1e-14 to 1e-12 of the load, from no drag at all to
 /// relaxation_rate * t of 1e5. Unresolved are values whose bound would exceed the load, and times
 /// at which more than 200,000 images have arrived (some 400 crossings where modes convert at an
-/// end).
+/// end), and those of a ricker wavelet that is still passing when relaxation_rate * duration
+/// exceeds some 1,000.
 class ColumnSolution {
  public:
   explicit ColumnSolution(const Problem& problem);

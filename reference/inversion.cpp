@@ -15,9 +15,8 @@ constexpr double pi = std::numbers::pi;
 
 /// Terms smaller than this share of the load are not summed.
 constexpr double negligible = 1e-17;
-constexpr long most_evaluations = 1 << 15;
-constexpr double first_nodes = 64.0;
-constexpr double most_nodes = 0x1p50;
+constexpr int most_evaluations = 1 << 15;
+constexpr int first_nodes = 64;
 /// Size of the integrand on the real axis that rounding can bear.
 constexpr double bearable = 50.0;
 /// A bound below this share of the load needs no second contour.
@@ -77,8 +76,12 @@ class Group {
   Integrand at(Complex s) {
     Integrand result;
     const ModeState state = modes_.at(s);
+    // All arrivals of a group are of one kind; what has settled has the same transform for all.
+    const bool settled = arrivals_.front().part == Arrival::Part::settled;
+    const ScaledTransform whole = settled ? load_.settled(s) : ScaledTransform{};
     sum_.at(state, [&](std::size_t r, const FieldVector& fields, Complex exponent) {
-      const ScaledTransform load = load_part(arrivals_[r], s);
+      ScaledTransform load = settled ? whole : passing_part(arrivals_[r], s);
+      if (settled) load.exponent = s * (arrivals_[r].since - load_.end());
       const Complex factor = std::exp(load.exponent + exponent);
       add(amplification(s, state, arrivals_[r].ray), load.value * factor,
           load.size * std::abs(factor), fields, result);
@@ -106,16 +109,9 @@ class Group {
     return rays;
   }
 
-  ScaledTransform load_part(const Arrival& a, Complex s) const {
-    switch (a.part) {
-      case Arrival::Part::event:
-        return load_.event(a.event, s, a.since);
-      case Arrival::Part::settled:
-        return load_.settled(s, a.since);
-      case Arrival::Part::passing:
-        return load_.passing_part(s, a.since);
-    }
-    return {0.0, 0.0, 0.0};
+  ScaledTransform passing_part(const Arrival& a, Complex s) const {
+    return a.part == Arrival::Part::event ? load_.event(a.event, s, a.since)
+                                          : load_.passing_part(s, a.since);
   }
 
   /// Roundings of the exponents enter multiplied by their size.
@@ -161,18 +157,23 @@ class Group {
 class Trapezoid {
  public:
   Trapezoid(Group& group, const Ellipse& ellipse) : group_(group), ellipse_(ellipse) {
-    for (double j = 0.0; j <= 0.5 * nodes_; ++j) add_node(2.0 * pi * j / nodes_);
+    for (int j = 0; j <= first_nodes / 2; ++j) add_node(2.0 * pi * j / nodes_);
     best_ = mean();
+    before_.fill(infinity);
   }
 
   /// Adds the nodes between those there are, up to the last one that counted and its neighbour.
-  void refine() {
+  /// False, and nothing done, if that would take too many evaluations.
+  bool refine() {
     const double step = 2.0 * pi / nodes_;
-    const double end = std::min(pi, last_angle_ + step);
-    for (double angle = 0.5 * step; angle < end; angle += step) add_node(angle);
+    const double between = std::ceil(std::min(pi, last_angle_ + step) / step - 0.5);
+    if (!(static_cast<double>(evaluations_) + between <= most_evaluations)) return false;
+    const auto count = static_cast<int>(between);
+    for (int j = 0; j < count; ++j) add_node((j + 0.5) * step);
     nodes_ *= 2.0;
     before_ = best_;
     best_ = mean();
+    return true;
   }
 
   double nodes() const { return nodes_; }
@@ -181,6 +182,7 @@ class Trapezoid {
   double change(std::size_t f) const { return std::abs(best_[f] - before_[f]); }
   double rounding(std::size_t f) const { return epsilon * rounding_[f] / nodes_; }
 
+  bool finite() const { return std::isfinite(best_[0] + best_[1] + best_[2] + best_[3]); }
   bool settled() const {
     for (std::size_t f = 0; f < 4; ++f) {
       if (!(change(f) <= rounding(f))) return false;
@@ -231,7 +233,7 @@ double fewest_nodes(Group& group, const GrownEllipse& contour) {
   for (const double angle : {0.0, 0.5 * pi, pi}) {
     decay = std::max(decay, group.decay_exponent(contour.ellipse.point(angle)));
   }
-  return std::max({first_nodes, 4.0 / contour.log_growth, phase + 2.0 * decay});
+  return std::max({1.0 * first_nodes, 4.0 / contour.log_growth, phase + 2.0 * decay});
 }
 
 double worst_share(const FourSums& error, const FourSums& unit, double peak) {
@@ -249,14 +251,11 @@ Inverted integrate(Group& group, const Ellipse& smallest, double distance) {
   const double needed = fewest_nodes(group, contour);
   Inverted result;
   result.error.fill(infinity);
-  if (!(needed < most_nodes)) return result;
   Trapezoid rule(group, contour.ellipse);
-  do {
-    rule.refine();
-  } while ((rule.nodes() < needed || !rule.settled()) && rule.nodes() < most_nodes &&
-           rule.evaluations() < most_evaluations);
+  while (rule.finite() && (rule.nodes() < needed || !rule.settled()) && rule.refine()) {
+  }
   result.nodes = rule.evaluations();
-  if (rule.nodes() < needed) return result;
+  if (!(rule.nodes() >= needed)) return result;
   const FourSums full = group.full_wave();
   for (std::size_t f = 0; f < 4; ++f) {
     result.value[f] = rule.value(f);
@@ -274,7 +273,9 @@ double best_distance(Group& group, const Ellipse& smallest) {
   const double longest = 64.0 * shortest + 20.0 * size;
   double best = shortest;
   double least = infinity;
-  for (double distance = shortest; distance <= longest; distance *= 2.0) {
+  const int doublings = static_cast<int>(std::log2(longest / shortest));
+  for (int i = 0; i <= doublings; ++i) {
+    const double distance = std::ldexp(shortest, i);
     const Complex s(smallest.rightmost + distance, 0.0);
     const Integrand integrand = group.at(s);
     if (!integrand.finite()) break;

@@ -47,8 +47,9 @@ class LoadTransform {
   /// e^(s since) Q_e(s)
   ScaledTransform event(std::size_t e, std::complex<double> s, double since) const;
   std::vector<ImaginaryPole> event_poles(std::size_t e) const;
-  /// e^(s tau) times the transform of the whole load, for tau >= end().
-  ScaledTransform settled(std::complex<double> s, double tau) const;
+  /// e^(s end()) times the transform of the whole load. A wave that has travelled for tau >= end()
+  /// needs it times e^(s (tau - end())).
+  ScaledTransform settled(std::complex<double> s) const;
   /// W(s), for any tau; entire in s.
   ScaledTransform passing_part(std::complex<double> s, double tau) const;
 

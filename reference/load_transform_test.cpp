@@ -96,9 +96,9 @@ BOOST_AUTO_TEST_CASE(once_settled_it_is_the_transform_of_the_whole_load) {
         const double end = transform.end();
         const Complex expected =
             std::exp(s * (tau - end)) * (integral(load, s, end) + load.value(tau + 10.0) / s);
-        const auto settled = transform.settled(s, tau);
-        const Complex value = unscaled(settled);
-        const double size = settled.size * std::exp(settled.exponent.real());
+        const auto settled = transform.settled(s);
+        const Complex value = settled.value * std::exp(s * (tau - end));
+        const double size = settled.size * std::exp(s.real() * (tau - end));
         BOOST_TEST_CONTEXT(name(load.shape()) << ", tau = " << tau << ", s = " << s) {
           BOOST_TEST(std::abs(value - expected) < 1e-14 * size);
           BOOST_TEST(std::abs(value) <= size * (1.0 + 1e-14));

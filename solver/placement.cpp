@@ -27,7 +27,7 @@ class Uniform {
 // Position of point number `index` of all, in units of h.
 double position(const Discretization& d, int index, Uniform& uniform) {
   const int n = d.points_per_element;
-  const double cell = index / n;  // whole number
+  const int cell = index / n;
   const double regular = cell + (index % n + 0.5) / n;
   switch (d.placement) {
     case Placement::uniform:

@@ -146,13 +146,14 @@ LinearRows<Dim> linear_rows(std::span<const Vector<Dim>> points, const Grid<Dim>
   return rows;
 }
 
-#define POROWAVE_INSTANTIATE(Dim)                                                               \
-  template SparseRows mls_rows<Dim>(std::span<const Vector<Dim>>, std::span<const Vector<Dim>>, \
-                                    KernelName, double, int, MlsReport&, double);               \
-  template LinearRows<Dim> linear_rows<Dim>(std::span<const Vector<Dim>>, const Grid<Dim>&)
-
-POROWAVE_INSTANTIATE(1);
-POROWAVE_INSTANTIATE(2);
-POROWAVE_INSTANTIATE(3);
+template SparseRows mls_rows<1>(std::span<const Vector<1>>, std::span<const Vector<1>>, KernelName,
+                                double, int, MlsReport&, double);
+template LinearRows<1> linear_rows<1>(std::span<const Vector<1>>, const Grid<1>&);
+template SparseRows mls_rows<2>(std::span<const Vector<2>>, std::span<const Vector<2>>, KernelName,
+                                double, int, MlsReport&, double);
+template LinearRows<2> linear_rows<2>(std::span<const Vector<2>>, const Grid<2>&);
+template SparseRows mls_rows<3>(std::span<const Vector<3>>, std::span<const Vector<3>>, KernelName,
+                                double, int, MlsReport&, double);
+template LinearRows<3> linear_rows<3>(std::span<const Vector<3>>, const Grid<3>&);
 
 }  // namespace porowave::solver

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 
 #include "reference/problem/errors.hpp"
@@ -58,6 +60,10 @@ RunResult run_case(const solver::Case& scene, const reference::Profile& profile)
   result.reduced_rows = solver.reduced_rows();
   result.empty_rows = solver.empty_rows();
   result.reference_error = profile.error();
+  for (const double stress : result.snapshot.solid.stress) {
+    const double strain = std::abs(stress) / scene.problem.material.constrained_modulus;
+    result.largest_strain = std::max(result.largest_strain, strain);
+  }
   result.cost.ns_per_point_step = 1e9 * result.cost.cpu_seconds /
                                   static_cast<double>(result.points) /
                                   static_cast<double>(result.steps);

@@ -28,6 +28,7 @@ struct RunResult {
   std::size_t reduced_rows = 0;
   std::size_t empty_rows = 0;
   double reference_error = 0.0;  ///< bound of the reference, relative to the load
+  double largest_strain = 0.0;   ///< of the solid; the reference is that of small strains
   Cost cost;
 };
 

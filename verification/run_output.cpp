@@ -12,6 +12,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Strains above this may show beside the errors of a good run.
+constexpr double noticeable_strain = 1e-5;
+
 Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
@@ -56,6 +59,7 @@ std::string run_json(const RunResult& result) {
   json["ns_per_point_step"] = number(result.cost.ns_per_point_step);
   json["peak_rss_bytes"] = result.cost.peak_rss_bytes;
   json["reference_error"] = number(result.reference_error);
+  json["largest_strain"] = number(result.largest_strain);
   json["evaluations_of_reduced_order"] = result.reduced_rows;
   json["evaluations_without_points"] = result.empty_rows;
   json["diverged"] = result.breakdown.has_value();
@@ -77,6 +81,11 @@ std::string run_summary(const RunResult& result) {
                         result.empty_rows);
   }
   if (result.breakdown) return text;
+  if (result.largest_strain > noticeable_strain) {
+    text += fmt::format(
+        "strains reach {:.1e}: points move, and the reference of small strains is off by as much\n",
+        result.largest_strain);
+  }
   text += fmt::format("{:<18}{:>14}{:>14}\n", "relative L2 error", "at points", "of the field");
   for (std::size_t f = 0; f < field_names.size(); ++f) {
     text += fmt::format("{:<18}{:>14.4e}{:>14.4e}\n", field_names[f], result.errors[f].points.l2,

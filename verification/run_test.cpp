@@ -102,6 +102,17 @@ BOOST_AUTO_TEST_CASE(points_are_written_with_all_their_digits) {
   BOOST_TEST(rows == result.points);
 }
 
+BOOST_AUTO_TEST_CASE(strains_that_are_not_small_are_said) {
+  Case scene = small_case();
+  const RunResult small = run_case(scene, *reference_profile(scene));
+  BOOST_TEST(run_summary(small).find("strains reach") == std::string::npos);
+  scene.problem.load = Load(LoadShape::smooth_ramp, 1e6, 1e-5);
+  const RunResult large = run_case(scene, *reference_profile(scene));
+  BOOST_TEST(large.largest_strain == 1e6 * small.largest_strain,
+             boost::test_tools::tolerance(0.01));
+  BOOST_TEST(run_summary(large).find("strains reach 2") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(without_a_reference_there_is_no_error) {
   Case scene = small_case();
   // Modes convert at both ends, and there are more images than the reference follows.
