@@ -33,7 +33,7 @@ magnitude = 2.0
 duration = 1.0e-5
 )";
 
-std::string replaced(std::string from, const std::string& to) {
+std::string replaced(const std::string& from, const std::string& to) {
   std::string text = valid;
   const auto at = text.find(from);
   BOOST_REQUIRE(at != std::string::npos);
