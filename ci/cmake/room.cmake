@@ -30,8 +30,7 @@ function(porowave_library name)
 endfunction()
 
 # porowave_tests(room LABEL label [PROGRAM name] STEMS a b/c ... EXTRA ... LINK ...): one Boost.Test
-# program of the room's
-# test_main.cpp and a_test.cpp, b/c_test.cpp, ...; CTest runs each file's suite (named as its stem)
+# program of the room's test_main.cpp and a_test.cpp, b/c_test.cpp, ...; CTest runs each file's suite (named as its stem)
 # by itself. A suite that does not exist is an error of Boost.Test, so no file can be skipped.
 function(porowave_tests room)
   if(NOT POROWAVE_TESTS)
