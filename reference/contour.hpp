@@ -1,37 +1,30 @@
 #pragma once
 
-#include <complex>
-#include <functional>
-#include <vector>
-
 #include "reference/modes.hpp"
 
 namespace porowave::reference {
 
-/// An ellipse in the s plane, symmetric about the real axis, run anticlockwise. Its right end is
-/// kept instead of its centre: the integrand lives near that end, often at distances from 0 that
-/// are tiny compared with the ellipse, and its nodes must not be rounded to the size of the latter.
-struct Ellipse {
-  double rightmost;
-  double real_axis;       ///< half-axis along Re s
-  double imaginary_axis;  ///< half-axis along Im s
+/// A hyperbola open to the left, s(u) = shift + scale (1 - sin(angle - i u)), -inf < u < inf; the
+/// Bromwich line is bent to it. Its right end is s(0); far out it runs at `angle` from the
+/// vertical. Nodes at equal steps of u crowd towards the right end, so that one rule resolves all
+/// scales of s from 1/t to the relaxation rate; nodes are rounded relative to their distance from
+/// `shift`. Source: Weideman & Trefethen, Math. Comp. 76 (2007) 1341, eq. (3.1).
+struct Hyperbola {
+  double shift;  ///< 1/s
+  double scale;  ///< 1/s, > 0
+  double angle;  ///< between 0 (vertical) and pi/2 (all to the left)
 
-  Complex point(double angle) const;
-  Complex tangent(double angle) const;  ///< ds/d(angle)
-  bool encloses(Complex s) const;
+  Complex point(double u) const;
+  Complex tangent(double u) const;  ///< ds/du
+  double rightmost() const;
+
+  /// How far, as an angle, the hyperbola may be opened (> 0: s lies inside, to the left of it) or
+  /// must be closed (< 0) to run through s. Its size is the width of the strip of u in which an
+  /// integrand with a singularity at s is analytic, which sets the rate of convergence.
+  double clearance(Complex s) const;
 };
 
-/// The smallest of the family of confocal ellipses used here: it just encloses the cut
-/// [-relaxation_rate, 0] and both branch points.
-Ellipse enclosing_singularities(const WaveModes& modes);
-
-/// The confocal ellipse whose right end lies `distance` > 0 right of that of the smallest one.
-struct GrownEllipse {
-  Ellipse ellipse;
-  /// log of the growth g of the conformal radius: the trapezoidal rule with N nodes converges like
-  /// g^-N.
-  double log_growth;
-};
-GrownEllipse grown(const Ellipse& smallest, double distance);
+/// The hyperbola of that angle with its right end at `rightmost` > shift.
+Hyperbola hyperbola_through(double shift, double rightmost, double angle);
 
 }  // namespace porowave::reference

@@ -10,68 +10,61 @@ using namespace porowave::reference;
 
 namespace {
 
-/// On the ellipse counts as inside.
-bool encloses(const Ellipse& ellipse, Complex s) {
-  return grown(ellipse, 1e-12 * ellipse.real_axis).ellipse.encloses(s);
-}
-
-/// Trapezoidal rule for (1/2 pi i) integral of e^(s t)/(s + 1) = e^(-t).
-double error_with_nodes(const Ellipse& ellipse, int nodes, double t) {
+/// Trapezoidal rule with step h for (1/2 pi i) integral of e^(s t)/(s + 1) = e^(-t).
+double error_with_step(const Hyperbola& contour, double h, double t) {
   Complex sum = 0.0;
-  for (int i = 0; i < nodes; ++i) {
-    const double angle = 2.0 * std::numbers::pi * (i + 0.5) / nodes;
-    const Complex s = ellipse.point(angle);
-    sum += std::exp(s * t) / (s + 1.0) * ellipse.tangent(angle);
+  for (int j = -400; j <= 400; ++j) {
+    const Complex s = contour.point(j * h);
+    sum += std::exp(s * t) / (s + 1.0) * contour.tangent(j * h);
   }
-  return std::abs(sum / Complex(0.0, nodes) - std::exp(-t));
+  return std::abs(sum * h / Complex(0.0, 2.0 * std::numbers::pi) - std::exp(-t));
 }
 
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(contour)
 
-BOOST_AUTO_TEST_CASE(the_smallest_ellipse_encloses_cut_and_branch_points) {
+BOOST_AUTO_TEST_CASE(its_right_end_and_its_angle_are_those_asked_for) {
+  const Hyperbola contour = hyperbola_through(2.0, 5.0, 0.4);
+  BOOST_TEST(contour.rightmost() == 5.0, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(std::abs(contour.point(0.0) - 5.0) < 1e-14);
+  const Complex direction = contour.point(31.0) - contour.point(30.0);
+  BOOST_TEST(std::arg(direction) == 0.5 * std::numbers::pi + 0.4,
+             boost::test_tools::tolerance(1e-12));
+  for (const double u : {-2.0, 0.0, 0.7, 3.0}) {
+    const Complex quotient = (contour.point(u + 1e-5) - contour.point(u - 1e-5)) / 2e-5;
+    BOOST_TEST(std::abs(quotient - contour.tangent(u)) < 1e-8 * std::abs(quotient));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(clearance_is_by_how_much_it_may_be_opened) {
   fixtures::RandomProblems random(1);
-  for (int trial = 0; trial < 500; ++trial) {
-    const WaveModes modes(
-        random.next(1.0, Load(), NearEnd::drained_traction, FarEnd::half_space).material);
-    const Ellipse smallest = enclosing_singularities(modes);
-    BOOST_TEST(encloses(smallest, 0.0));
-    BOOST_TEST(encloses(smallest, -modes.relaxation_rate()));
-    BOOST_TEST(encloses(smallest, modes.branch_point()));
-    const double distance = random.log_uniform(1e-9, 1e3) * smallest.real_axis;
-    const auto [larger, log_growth] = grown(smallest, distance);
-    BOOST_TEST(log_growth > 0.0);
-    BOOST_TEST(larger.encloses(modes.branch_point()));
-    BOOST_TEST(larger.rightmost == smallest.rightmost + distance);
-    // Confocal: the difference of the squares of the axes stays.
-    const double foci =
-        smallest.real_axis * smallest.real_axis - smallest.imaginary_axis * smallest.imaginary_axis;
-    BOOST_TEST(std::abs(larger.real_axis * larger.real_axis -
-                        larger.imaginary_axis * larger.imaginary_axis - foci) <
-               1e-12 * larger.real_axis * larger.real_axis);
+  for (int trial = 0; trial < 300; ++trial) {
+    const Hyperbola contour{random.uniform(-1, 1), random.log_uniform(1e-3, 1e3),
+                            random.uniform(0.05, 1.2)};
+    const Complex s(random.uniform(-3, 3), random.uniform(0.01, 3));
+    const double clearance = contour.clearance(s);
+    const Hyperbola opened{contour.shift, contour.scale, contour.angle + clearance};
+    // The opened hyperbola runs through s: at the u where its imaginary part is that of s.
+    const double u = std::asinh(s.imag() / (opened.scale * std::cos(opened.angle)));
+    BOOST_TEST(std::abs(opened.point(u) - s) < 1e-9 * (1.0 + std::abs(s) + opened.scale));
+    // Inside is to the left.
+    const double level = std::asinh(s.imag() / (contour.scale * std::cos(contour.angle)));
+    BOOST_TEST((clearance > 0.0) == (s.real() < contour.point(level).real()));
   }
 }
 
-BOOST_AUTO_TEST_CASE(nodes_near_the_right_end_are_not_rounded_to_the_size_of_the_ellipse) {
-  const Ellipse ellipse{1e-9, 1.0, 0.5};
-  for (const double angle : {0.0, 1e-6, 1e-5}) {
-    const double exact = 1e-9 - 0.5 * angle * angle * (1.0 - angle * angle / 12.0);
-    BOOST_TEST(std::abs(ellipse.point(angle).real() - exact) < 1e-24);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(the_trapezoidal_rule_converges_with_the_growth) {
-  // The pole at -1 lies on the smallest ellipse: the error falls like growth^-nodes.
-  const Ellipse smallest{0.0, 0.5, 0.3};
-  for (const double distance : {0.15, 0.3, 0.5}) {
-    const auto [ellipse, log_growth] = grown(smallest, distance);
-    const double coarse = error_with_nodes(ellipse, 16, 0.7);
-    const double fine = error_with_nodes(ellipse, 32, 0.7);
-    BOOST_TEST(fine < coarse);
-    BOOST_TEST(std::abs(std::log(coarse / fine) / 16.0 / log_growth - 1.0) < 0.05);
-  }
-  BOOST_TEST(error_with_nodes(grown(smallest, 0.5).ellipse, 64, 0.7) < 1e-15);
+BOOST_AUTO_TEST_CASE(the_trapezoidal_rule_converges_at_the_rate_of_the_clearance) {
+  // 1/(s + 1): the pole limits the strip to its clearance, pi/2 - angle; error ~ e^(-2 pi d/h).
+  const Hyperbola contour{0.0, 0.4, 1.1};
+  const double strip = contour.clearance(-1.0);
+  BOOST_TEST(strip == 0.5 * std::numbers::pi - 1.1, boost::test_tools::tolerance(1e-12));
+  const double h = 0.4;
+  const double coarse = error_with_step(contour, h, 0.2);
+  const double fine = error_with_step(contour, 0.5 * h, 0.2);
+  const double rate = std::log(coarse / fine) / (2.0 * std::numbers::pi * strip / h);
+  BOOST_TEST(rate == 1.0, boost::test_tools::tolerance(0.1));
+  BOOST_TEST(error_with_step(contour, 0.05, 0.2) < 1e-14);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,9 +1,7 @@
 #include "reference/load_transform.hpp"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "reference/phi.hpp"
@@ -14,6 +12,19 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr double pi = std::numbers::pi;
+/// Duration of the wavelet in its own unit (problem/load.hpp).
+constexpr double ricker_width = 13.0;
+
+/// A sum, and the sum of the sizes of its terms.
+struct Sum {
+  Complex value = 0.0;
+  double size = 0.0;
+
+  void add(Complex term) {
+    value += term;
+    size += std::abs(term);
+  }
+};
 
 /// integral_0^T e^(s (T - t')) dt'
 Complex constant(Complex s, double T) {
@@ -21,62 +32,42 @@ Complex constant(Complex s, double T) {
 }
 
 /// z^3 (10 - 15 z + 6 z^2), z = t/T; t^n/n! convolves to T^(n+1) phi_(n+1)(s T).
-Complex ramp_part(Complex s, double T) {
+Sum ramp_part(Complex s, double T) {
   const auto phi = phi_functions<6>(s * T);
-  return T * (60.0 * phi[4] - 360.0 * phi[5] + 720.0 * phi[6]);
+  Sum sum;
+  sum.add(T * 60.0 * phi[4]);
+  sum.add(T * -360.0 * phi[5]);
+  sum.add(T * 720.0 * phi[6]);
+  return sum;
 }
 
 /// sin^4(pi t/T) = 3/8 - cos(w t)/2 + cos(2 w t)/8, w = 2 pi/T: exponentials e^(iat), each of which
 /// convolves over its period T to T phi_1((s - ia) T).
-Complex sine_part(Complex s, double T) {
-  Complex sum = 0.375 * constant(s, T);
+Sum sine_part(Complex s, double T) {
+  Sum sum;
+  sum.add(0.375 * constant(s, T));
   for (const auto& [harmonic, weight] : {std::pair(1.0, -0.25), std::pair(2.0, 0.0625)}) {
     for (const double sign : {1.0, -1.0}) {
-      sum += weight * constant(s - Complex(0.0, sign * harmonic * 2.0 * pi / T), T);
-    }
-  }
-  return sum;
-}
-
-constexpr double most_panels = 200.0;
-
-/// integral_0^min(tau,T) q(t') e^(s (tau - t')) dt' by Gauss-Legendre panels within which wavelet
-/// and exponential vary little.
-Complex ricker_part(Complex s, double tau, const Load& load) {
-  using Rule = boost::math::quadrature::gauss<double, 30>;
-  const double end = std::min(tau, load.duration());
-  // Far from s = 0 (but not to the right) the transform of the whole wavelet is below its rounding.
-  const double T = load.duration();
-  if (tau >= T && std::abs(s) * T > 600.0 && s.real() * T < 200.0) return 0.0;
-  const double wanted = 8.0 + std::abs(s) * end / 8.0;
-  if (!(wanted < most_panels)) return std::numeric_limits<double>::quiet_NaN();
-  const auto panels = static_cast<int>(wanted);
-  const double width = end / panels;
-  Complex sum = 0.0;
-  for (int panel = 0; panel < panels; ++panel) {
-    const double middle = (panel + 0.5) * width;
-    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
-      for (const double sign : {1.0, -1.0}) {
-        const double t = middle + sign * 0.5 * width * Rule::abscissa()[i];
-        sum += 0.5 * width * Rule::weights()[i] * load.value(t) * std::exp(s * (tau - t));
-      }
+      sum.add(weight * constant(s - Complex(0.0, sign * harmonic * 2.0 * pi / T), T));
     }
   }
   return sum;
 }
 
 /// integral_0^end q(t') e^(s (end - t')) dt' of a table: h phi_1 and h^2 phi_2 of each piece.
-Complex table_part(Complex s, const Load& load) {
+Sum table_part(Complex s, const Load& load) {
   const auto& t = load.times();
   const auto& v = load.values();
-  Complex sum = 0.0;
+  Sum sum;
   for (std::size_t i = 0; i + 1 < t.size(); ++i) {
     const double h = t[i + 1] - t[i];
     if (h <= 0.0) continue;
     const auto phi = phi_functions<2>(s * h);
-    sum += std::exp(s * (t.back() - t[i + 1])) * h * (v[i] * phi[1] + (v[i + 1] - v[i]) * phi[2]);
+    const Complex factor = std::exp(s * (t.back() - t[i + 1])) * h;
+    sum.add(factor * v[i] * phi[1]);
+    sum.add(factor * (v[i + 1] - v[i]) * phi[2]);
   }
-  return load.magnitude() * sum;
+  return sum;
 }
 
 /// Jumps of a table at its times, after the magnitude; equal times make one jump together.
@@ -104,6 +95,16 @@ std::vector<double> table_slope_changes(const Load& load) {
   return changes;
 }
 
+/// Shortest time between two different times; 0 if there are none.
+double shortest_difference(const std::vector<double>& times) {
+  double shortest = 0.0;
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    const double h = times[i + 1] - times[i];
+    if (h > 0.0 && (shortest == 0.0 || h < shortest)) shortest = h;
+  }
+  return shortest;
+}
+
 }  // namespace
 
 LoadTransform::LoadTransform(const Load& load)
@@ -121,6 +122,7 @@ LoadTransform::LoadTransform(const Load& load)
     case LoadShape::smooth_ramp:
     case LoadShape::sin4_pulse:
       event_times_ = {0.0, end_};
+      shortest_piece_ = end_;
       break;
     case LoadShape::ricker:
       break;
@@ -128,6 +130,7 @@ LoadTransform::LoadTransform(const Load& load)
       event_times_ = load.times();
       end_ = event_times_.back();
       slope_changes_ = table_slope_changes(load);
+      shortest_piece_ = shortest_difference(event_times_);
       const auto jumps = table_jumps(load);
       for (std::size_t i = 0; i < jumps.size(); ++i) jumps_.emplace_back(event_times_[i], jumps[i]);
       break;
@@ -180,35 +183,54 @@ std::vector<ImaginaryPole> LoadTransform::event_poles(std::size_t e) const {
   return {{w, -0.25 * sign}, {2.0 * w, 0.0625 * sign}};
 }
 
-Complex LoadTransform::whole(Complex s) const {
-  const double size = load_.magnitude();
-  switch (load_.shape()) {
-    case LoadShape::step:
-      return size / s;
-    case LoadShape::block:
-      return size * constant(s, end_);
-    case LoadShape::smooth_ramp:
-      return size * (ramp_part(s, end_) + 1.0 / s);
-    case LoadShape::sin4_pulse:
-      return size * sine_part(s, end_);
-    case LoadShape::ricker:
-      return ricker_part(s, end_, load_);
-    case LoadShape::table:
-      return table_part(s, load_) + size * load_.values().back() / s;
+double LoadTransform::shortest_scale() const {
+  return 0.25 * load_.duration();
+}
+
+ScaledTransform LoadTransform::sum_of_events(Complex s) const {
+  Sum sum;
+  for (std::size_t e = 0; e < event_times_.size(); ++e) {
+    const ScaledTransform part = event(e, s, end_ - event_times_[e]);
+    sum.add(part.value * std::exp(part.exponent));
   }
-  return 0.0;
+  return {sum.value, sum.size, 0.0};
 }
 
 ScaledTransform LoadTransform::settled(Complex s) const {
-  // Parts of size end_ and 1/s, growing like e^(s end_) at most, may have cancelled.
-  const double largest =
-      peak_ * (end_ * std::max(1.0, std::exp(s.real() * end_)) + 1.0 / std::abs(s));
-  return {whole(s), largest, 0.0};
-}
-
-ScaledTransform LoadTransform::passing_part(Complex s, double tau) const {
-  const double largest = peak_ * tau * std::max(1.0, std::exp(s.real() * tau));
-  return {ricker_part(s, tau, load_), largest, 0.0};
+  // Far from 0 the events are small, but the parts below are not: they cancel.
+  constexpr double far = 20.0;
+  if (std::norm(s) * shortest_piece_ * shortest_piece_ > far * far && !always_whole()) {
+    return sum_of_events(s);
+  }
+  const double q = load_.magnitude();
+  Sum sum;
+  switch (load_.shape()) {
+    case LoadShape::step:
+      sum.add(1.0 / s);
+      break;
+    case LoadShape::block:
+      sum.add(constant(s, end_));
+      break;
+    case LoadShape::smooth_ramp:
+      sum = ramp_part(s, end_);
+      sum.add(1.0 / s);
+      break;
+    case LoadShape::sin4_pulse:
+      sum = sine_part(s, end_);
+      break;
+    case LoadShape::ricker: {
+      // (1 - 2 v^2) e^(-v^2) = -(1/2) d^2/dv^2 e^(-v^2), v = (t - T/2)/b.
+      const double b = load_.duration() / ricker_width;
+      const Complex sb = s * b;
+      const Complex value = -0.5 * b * q * std::sqrt(pi) * sb * sb;
+      return {value, std::abs(value), 0.5 * s * end_ + 0.25 * sb * sb};
+    }
+    case LoadShape::table:
+      sum = table_part(s, load_);
+      sum.add(load_.values().back() / s);
+      break;
+  }
+  return {q * sum.value, std::abs(q) * sum.size, 0.0};
 }
 
 }  // namespace porowave::reference

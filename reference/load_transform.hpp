@@ -27,11 +27,11 @@ struct ImaginaryPole {
 /// q(t) is a sum of events: event e starts at time t_e and is analytic from there on, with a
 /// transform Q_e(s) that has poles at 0 or on the imaginary axis only. For a wave that has
 /// travelled for `since` after an event's arrival, the inversion needs e^(s since) Q_e(s). Once all
-/// events are well over, their sum, `settled`, is needed instead: the transform of the whole load,
+/// events have arrived, their sum, `settled`, is needed instead: the transform of the whole load,
 /// in which large terms of opposite sign have cancelled.
 ///
-/// The ricker wavelet has no analytic continuation that is small; while it passes, its part W(s) =
-/// integral_0^tau q(t') e^(s (tau - t')) dt' is used, with the load itself at the front.
+/// The ricker wavelet is analytic throughout, and its transform decays in all directions within 45
+/// degrees of the imaginary axis: it is always taken as a whole.
 class LoadTransform {
  public:
   explicit LoadTransform(const Load& load);
@@ -39,10 +39,12 @@ class LoadTransform {
   const std::vector<double>& event_times() const { return event_times_; }
   /// Time of the last event; from then on the load is constant.
   double end() const { return end_; }
-  /// True if a wave that has travelled for tau has to be treated event by event.
-  bool passing(double tau) const { return tau < 1.25 * end_; }
-  /// True if a passing load has no events (ricker); then `passing_part` is to be used.
-  bool without_events() const { return load_.shape() == LoadShape::ricker; }
+  /// True if the whole load may be used before it has settled.
+  bool always_whole() const { return load_.shape() == LoadShape::ricker; }
+  /// The shortest time in which a load that is always whole varies.
+  double shortest_scale() const;
+  /// Angle from the imaginary axis within which all parts decay.
+  double widest_angle() const { return always_whole() ? 0.6 : 1.2; }
 
   /// e^(s since) Q_e(s)
   ScaledTransform event(std::size_t e, std::complex<double> s, double since) const;
@@ -50,8 +52,6 @@ class LoadTransform {
   /// e^(s end()) times the transform of the whole load. A wave that has travelled for tau >= end()
   /// needs it times e^(s (tau - end())).
   ScaledTransform settled(std::complex<double> s) const;
-  /// W(s), for any tau; entire in s.
-  ScaledTransform passing_part(std::complex<double> s, double tau) const;
 
   /// Times and sizes of the jumps of q (including the one at t = 0).
   const std::vector<std::pair<double, double>>& jumps() const { return jumps_; }
@@ -59,9 +59,10 @@ class LoadTransform {
   double peak() const { return peak_; }
 
  private:
-  std::complex<double> whole(std::complex<double> s) const;
+  ScaledTransform sum_of_events(std::complex<double> s) const;
 
   Load load_;
+  double shortest_piece_ = 0.0;  ///< between two events, where `settled` cancels
   double peak_;
   double end_;
   std::vector<double> event_times_;

@@ -4,7 +4,8 @@
 
 namespace porowave::reference {
 
-WaveModes::WaveModes(const Material& m) : relaxation_rate_(m.relaxation_rate()) {
+WaveModes::WaveModes(const Material& m)
+    : undrained_speed_(m.undrained_speed()), relaxation_rate_(m.relaxation_rate()) {
   const WaveSpeeds speeds = wave_speeds(m);
   speed_ = {speeds.p1, speeds.p2};
 
@@ -35,16 +36,20 @@ WaveModes::WaveModes(const Material& m) : relaxation_rate_(m.relaxation_rate()) 
                    2.0 * std::abs(drag_[0] * drag_[1]) / slowness_gap_};
 }
 
-ModeState WaveModes::at(Complex s) const {
+ModeState WaveModes::at(Complex s, Cut cut) const {
   // The eigenvalues of s diag(1/c^2) + h h^T are s/c_k^2 + nu_k. nu_1 and nu_2 are roots of two
-  // quadratics with the same discriminant root^2; its cut joins the two branch points.
+  // quadratics with the same discriminant root^2.
   const double h1 = drag_[0];
   const double h2 = drag_[1];
   const double trace = h1 * h1 + h2 * h2;
   const Complex gap = s * slowness_gap_;
   const Complex from_centre = s - branch_point_.real();
+  const Complex to_branch(0.0, branch_point_.imag());
   const Complex ratio = branch_point_.imag() / from_centre;
-  const Complex root = slowness_gap_ * from_centre * std::sqrt(1.0 + ratio * ratio);
+  const Complex root =
+      slowness_gap_ * (cut == Cut::between
+                           ? from_centre * std::sqrt(1.0 + ratio * ratio)
+                           : std::sqrt((from_centre - to_branch) * (from_centre + to_branch)));
 
   // Of the two forms of each root, the one that does not subtract nearly equal numbers.
   const auto stable_root = [](Complex half_sum, Complex half_difference, Complex product) {

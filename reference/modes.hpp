@@ -30,6 +30,8 @@ class WaveModes {
 
   /// Frozen speeds, m/s; speed(0) > speed(1).
   double speed(int mode) const { return speed_[static_cast<std::size_t>(mode)]; }
+  /// Speed of both phases moving together, m/s.
+  double undrained_speed() const { return undrained_speed_; }
   /// drag (1/m_s + 1/m_f), 1/s: the cut of the transform is [-relaxation_rate, 0].
   double relaxation_rate() const { return relaxation_rate_; }
   /// Branch point in the upper half plane, 1/s.
@@ -40,14 +42,20 @@ class WaveModes {
   /// Columns A r_k: minus partial tractions (sigma' - n_s p, -n_f p) times c_k of frozen mode k.
   const Matrix2& traction_of_mode() const { return traction_of_mode_; }
 
-  /// Modes at s, which lies on neither cut.
-  ModeState at(Complex s) const;
+  /// The modes meet at the branch points; which of them is called P1 beyond depends on where the
+  /// plane is cut. Both agree at large real s. `between`: the cut joins the two branch points, so
+  /// both modes are analytic outside of it. `outwards`: cuts run from them to +-i infinity, so both
+  /// are analytic all along the positive real axis.
+  enum class Cut { between, outwards };
+  /// Modes at s, which lies on no cut.
+  ModeState at(Complex s, Cut cut = Cut::between) const;
   /// Limit s -> infinity.
   ModeState frozen() const;
 
  private:
   std::array<double, 2> speed_;
   std::array<double, 2> drag_;  ///< h_k, with d r^T J r = (h . y)^2
+  double undrained_speed_;
   double relaxation_rate_;
   double slowness_gap_;  ///< 1/c_2^2 - 1/c_1^2
   Complex branch_point_;

@@ -3,7 +3,6 @@
 #include <boost/test/unit_test.hpp>
 #include <numbers>
 
-#include "reference/contour.hpp"
 #include "reference/random_problems.hpp"
 
 using namespace porowave;
@@ -88,28 +87,49 @@ BOOST_AUTO_TEST_CASE(at_large_s_the_modes_are_frozen) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_modes_are_analytic_outside_of_the_ellipse_of_singularities) {
-  // Round the smallest ellipse nothing jumps, and the upper half plane mirrors the lower.
+/// The modes never jump along s(angle), 0 <= angle <= 2 pi.
+template <class Contour>
+void require_continuous(const WaveModes& modes, WaveModes::Cut cut, Contour&& s) {
+  constexpr int nodes = 20000;
+  ModeState before = modes.at(s(0.0), cut);
+  for (int i = 1; i <= nodes; ++i) {
+    const ModeState state = modes.at(s(2.0 * std::numbers::pi * i / nodes), cut);
+    for (std::size_t k = 0; k < 2; ++k) {
+      BOOST_REQUIRE(std::abs(state.excess[k] - before.excess[k]) <
+                    0.05 * (std::abs(state.excess[k]) + std::abs(before.excess[k])));
+    }
+    BOOST_REQUIRE(std::abs(state.mixing - before.mixing) < 0.05 * (1 + std::abs(state.mixing)));
+    before = state;
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_modes_are_analytic_round_all_singularities) {
   fixtures::RandomProblems random(4);
   for (int trial = 0; trial < 50; ++trial) {
     const WaveModes modes(random_material(random));
-    const Ellipse smallest = enclosing_singularities(modes);
-    const Ellipse ellipse = grown(smallest, 0.02 * smallest.real_axis).ellipse;
-    constexpr int nodes = 20000;
-    ModeState before = modes.at(ellipse.point(0.0));
-    for (int i = 1; i <= nodes; ++i) {
-      const double angle = 2.0 * std::numbers::pi * i / nodes;
-      const ModeState state = modes.at(ellipse.point(angle));
-      for (std::size_t k = 0; k < 2; ++k) {
-        BOOST_REQUIRE(std::abs(state.excess[k] - before.excess[k]) <
-                      0.05 * (std::abs(state.excess[k]) + std::abs(before.excess[k])));
-      }
-      BOOST_REQUIRE(std::abs(state.mixing - before.mixing) < 0.05 * (1 + std::abs(state.mixing)));
-      before = state;
-    }
-    const Complex s = ellipse.point(1.0);
+    const double radius = 1.05 * std::max(modes.relaxation_rate(), std::abs(modes.branch_point()));
+    require_continuous(modes, WaveModes::Cut::between,
+                       [&](double angle) { return std::polar(radius, angle); });
+    const Complex s = std::polar(radius, 1.0);
     BOOST_TEST(std::abs(modes.at(std::conj(s)).mixing - std::conj(modes.at(s).mixing)) < 1e-13);
   }
+}
+
+BOOST_AUTO_TEST_CASE(cut_outwards_the_modes_are_those_of_large_s_on_all_of_the_real_axis) {
+  // Light grains in much water: the modes meet right of 0.
+  const WaveModes modes({0.97, 2000.0, 1000.0, 2.5e8, 2.0e9, 1e-10, 1e-3});
+  const Complex branch = modes.branch_point();
+  BOOST_REQUIRE(branch.real() > 0.0);
+  require_continuous(modes, WaveModes::Cut::outwards, [&](double angle) {
+    return branch.real() * std::exp(4.0 * (angle - std::numbers::pi));
+  });
+  const Complex far = 10.0 * branch.real();
+  BOOST_TEST(std::abs(modes.at(far, WaveModes::Cut::outwards).excess[0] - modes.at(far).excess[0]) <
+             1e-12 * std::abs(modes.at(far).excess[0]));
+  // Cut between them, the two modes have changed places near 0.
+  const Complex near = 0.01 * branch.real();
+  BOOST_TEST(std::abs(modes.at(near, WaveModes::Cut::outwards).slowness[0] -
+                      modes.at(near).slowness[1]) < 1e-10 * std::abs(modes.at(near).slowness[1]));
 }
 
 BOOST_AUTO_TEST_CASE(the_modes_meet_at_the_branch_point) {

@@ -5,6 +5,9 @@
 #include <limits>
 #include <numbers>
 
+#include "reference/smooth_pieces.hpp"
+#include "reference/time_slice.hpp"
+
 namespace porowave::reference {
 
 namespace {
@@ -17,31 +20,11 @@ FourValues as_array(const Fields& f) {
 
 /// Last coefficients below this share of the load end the refinement.
 constexpr double target = 2e-14;
-constexpr int most_halvings = 14;
+constexpr int most_halvings = 24;
+/// Places, as shares of a piece from either end, where the series is compared with the solution:
+/// layers thinner than the distance of the roots are not seen in its coefficients.
+constexpr std::array<double, 6> trials = {0.0007, 0.013, 0.21, 0.73, 0.985, 0.9991};
 constexpr std::array<int, 3> degrees = {16, 32, 64};
-
-/// Times at which the load or its derivatives break; each travels with every ray.
-std::vector<double> load_breaks(const Load& load) {
-  if (load.shape() == LoadShape::table) return load.times();
-  if (has_duration(load.shape())) return {0.0, load.duration()};
-  return {0.0};
-}
-
-std::vector<double> piece_ends(const ColumnSolution& solution, double t, double end) {
-  std::vector<double> ends = {0.0, end};
-  for (const double time : load_breaks(solution.problem().load)) {
-    if (t <= time) continue;
-    for (const double x : solution.fronts(t - time)) {
-      if (x > 0.0 && x < end) ends.push_back(x);
-    }
-  }
-  std::sort(ends.begin(), ends.end());
-  // Fronts closer than rounding are one.
-  const auto same = [end](double a, double b) { return b - a <= 1e-13 * end; };
-  ends.erase(std::unique(ends.begin(), ends.end(), same), ends.end());
-  ends.back() = end;
-  return ends;
-}
 
 /// Chebyshev coefficients from values at the n roots cos((j + 1/2) pi/n).
 std::vector<FourValues> coefficients_of(const std::vector<FourValues>& values) {
@@ -84,13 +67,15 @@ double summation_error(const std::vector<FourValues>& coefficients, const FourVa
 }  // namespace
 
 Profile::Profile(const ColumnSolution& solution, double t, double end) : time_(t) {
-  const std::vector<double> ends = piece_ends(solution, t, end);
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) add(solution, ends[i], ends[i + 1], 0);
+  const std::vector<double> ends = smooth_pieces(solution, t, end);
+  TimeSlice slice(solution, t);
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+    add(slice, solution.problem(), ends[i], ends[i + 1], 0);
 }
 
-void Profile::add(const ColumnSolution& solution, double begin, double end, int depth) {
-  const double stress = solution.problem().stress_scale();
-  const double velocity = solution.problem().velocity_scale();
+void Profile::add(TimeSlice& slice, const Problem& problem, double begin, double end, int depth) {
+  const double stress = problem.stress_scale();
+  const double velocity = problem.velocity_scale();
   const FourValues scale = {stress, stress, velocity, velocity};
   Piece piece{begin, end, {}};
   double value_error = 0.0;
@@ -101,7 +86,7 @@ void Profile::add(const ColumnSolution& solution, double begin, double end, int 
     bool at_rest = true;
     for (int j = 0; j < degree; ++j) {
       const double root = std::cos((j + 0.5) * std::numbers::pi / degree);
-      const auto fields = solution.at(0.5 * (begin + end) + 0.5 * (end - begin) * root, time_);
+      const auto fields = slice.at(0.5 * (begin + end) + 0.5 * (end - begin) * root);
       ++evaluations_;
       values.push_back(as_array(fields.value));
       const auto bounds = as_array(fields.error);
@@ -114,14 +99,17 @@ void Profile::add(const ColumnSolution& solution, double begin, double end, int 
     piece.coefficients =
         at_rest ? std::vector<FourValues>(1, FourValues{}) : coefficients_of(values);
     interpolation = at_rest ? 0.0 : tail(piece.coefficients, scale);
+    if (!at_rest && interpolation <= std::max(target, value_error)) {
+      interpolation = std::max(interpolation, 0.125 * largest_deviation(slice, piece, scale));
+    }
     // Coefficients of values with errors cannot fall below those.
     if (interpolation <= std::max(target, value_error) || !std::isfinite(value_error)) break;
   }
   const bool done = interpolation <= std::max(target, value_error);
   if (!done && std::isfinite(value_error) && depth < most_halvings) {
     const double middle = 0.5 * (begin + end);
-    add(solution, begin, middle, depth + 1);
-    add(solution, middle, end, depth + 1);
+    add(slice, problem, begin, middle, depth + 1);
+    add(slice, problem, middle, end, depth + 1);
     return;
   }
   // NaN coefficients (an unresolved value) must not look like a small error.
@@ -131,22 +119,39 @@ void Profile::add(const ColumnSolution& solution, double begin, double end, int 
   pieces_.push_back(std::move(piece));
 }
 
+double Profile::largest_deviation(TimeSlice& slice, const Piece& piece, const FourValues& scale) {
+  double largest = 0.0;
+  for (const double share : trials) {
+    const double x = std::lerp(piece.begin, piece.end, share);
+    const FourValues exact = as_array(slice.at(x).value);
+    const FourValues series = as_array(piece.at(x));
+    ++evaluations_;
+    for (std::size_t f = 0; f < 4; ++f) {
+      largest = std::max(largest, std::abs(series[f] - exact[f]) / scale[f]);
+    }
+  }
+  return largest;
+}
+
 Fields Profile::at(double x) const {
   const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), x,
                                       [](double value, const Piece& p) { return value < p.begin; });
-  const Piece& piece = after == pieces_.begin() ? *after : *(after - 1);
-  const double u = (2.0 * x - piece.begin - piece.end) / (piece.end - piece.begin);
+  return (after == pieces_.begin() ? *after : *(after - 1)).at(x);
+}
+
+Fields Profile::Piece::at(double x) const {
+  const double u = (2.0 * x - begin - end) / (end - begin);
   FourValues b1{};
   FourValues b2{};
-  for (std::size_t k = piece.coefficients.size() - 1; k > 0; --k) {  // Clenshaw
+  for (std::size_t k = coefficients.size() - 1; k > 0; --k) {  // Clenshaw
     for (std::size_t f = 0; f < 4; ++f) {
-      const double b0 = piece.coefficients[k][f] + 2.0 * u * b1[f] - b2[f];
+      const double b0 = coefficients[k][f] + 2.0 * u * b1[f] - b2[f];
       b2[f] = b1[f];
       b1[f] = b0;
     }
   }
   FourValues value;
-  for (std::size_t f = 0; f < 4; ++f) value[f] = piece.coefficients[0][f] + u * b1[f] - b2[f];
+  for (std::size_t f = 0; f < 4; ++f) value[f] = coefficients[0][f] + u * b1[f] - b2[f];
   return {value[0], value[1], value[2], value[3]};
 }
 

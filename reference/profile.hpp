@@ -7,6 +7,8 @@
 
 namespace porowave::reference {
 
+class TimeSlice;
+
 /// All four fields along the column at one time, as fast to evaluate as a short series.
 ///
 /// Between the fronts (and the places where later breaks of the load have arrived) the fields are
@@ -33,8 +35,12 @@ class Profile {
     double begin;
     double end;
     std::vector<std::array<double, 4>> coefficients;  ///< [degree][field]
+    Fields at(double x) const;
   };
-  void add(const ColumnSolution& solution, double begin, double end, int depth);
+  /// Largest difference between series and solution at a few places, as a share of the scales.
+  double largest_deviation(TimeSlice& slice, const Piece& piece,
+                           const std::array<double, 4>& scale);
+  void add(TimeSlice& slice, const Problem& problem, double begin, double end, int depth);
 
   double time_;
   double error_ = 0.0;

@@ -29,8 +29,27 @@ std::vector<Ray> rays_until(const Problem& problem, const WaveModes& modes, doub
   return rays;
 }
 
-RaySum::RaySum(const Problem& problem, const WaveModes& modes, std::span<const Ray> rays)
-    : problem_(problem), modes_(modes), rays_(rays) {}
+WaveState wave_state(const Problem& problem, const WaveModes& modes, const ModeState& state) {
+  return {state, end_response(problem, modes, state), mode_fields(problem.material, modes, state)};
+}
+
+RaySum::RaySum(const Problem& problem, std::span<const Ray> rays)
+    : converts_(converts(problem.column.near) || converts(problem.column.far)), rays_(rays) {}
+
+Complex RaySum::amplitude(const EndResponse& ends, const Ray& ray) {
+  const auto mode = static_cast<std::size_t>(ray.mode);
+  if (!converts_) {
+    // Both reflections are +-1 times the identity.
+    const bool far = (ray.crossings + 1) / 2 % 2 == 1;
+    const bool near = ray.crossings / 2 % 2 == 1;
+    return ends.source[mode] *
+           ((far ? ends.at_far[0][0].real() : 1.0) * (near ? ends.at_near[0][0].real() : 1.0));
+  }
+  for (; generation_ < ray.crossings; ++generation_) {
+    advance(generation_ % 2 == 0 ? ends.at_far : ends.at_near);
+  }
+  return amplitudes_[static_cast<std::size_t>(ray.slow_crossings)][mode];
+}
 
 void RaySum::advance(const Reflection& reflection) {
   std::vector<Amplitudes> next(amplitudes_.size() + 1, Amplitudes{});

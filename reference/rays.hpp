@@ -27,43 +27,50 @@ inline constexpr std::size_t most_rays = 200'000;
 /// not complete.
 std::vector<Ray> rays_until(const Problem& problem, const WaveModes& modes, double x, double until);
 
+/// What all rays share at one s.
+struct WaveState {
+  ModeState modes;
+  EndResponse ends;
+  ModeFields fields;
+};
+WaveState wave_state(const Problem& problem, const WaveModes& modes, const ModeState& state);
+
 /// Contribution of each ray to the four fields at one s, without the load and without the factor
 /// e^(-s arrival): amplitude * field of the mode, and the exponent -excess . path of its decay,
 /// which may be large and is to be combined with that of the load before either is taken.
 class RaySum {
  public:
-  RaySum(const Problem& problem, const WaveModes& modes, std::span<const Ray> rays);
+  /// Rays in order of `crossings`; they must outlive the sum.
+  RaySum(const Problem& problem, std::span<const Ray> rays);
 
   /// Calls use(ray index, fields, exponent) for every ray.
   template <class Use>
-  void at(const ModeState& state, Use&& use);
+  void at(const WaveState& state, Use&& use);
 
  private:
+  /// Amplitude of a ray, by recursion over the crossings where ends convert modes.
+  Complex amplitude(const EndResponse& ends, const Ray& ray);
   /// Amplitudes after one more crossing, split by the number of crossings made as P2.
   void advance(const Reflection& reflection);
 
-  const Problem& problem_;
-  const WaveModes& modes_;
+  bool converts_;
   std::span<const Ray> rays_;
+  int generation_ = 0;
   std::vector<Amplitudes> amplitudes_;  ///< [slow crossings], of the current generation
 };
 
 template <class Use>
-void RaySum::at(const ModeState& state, Use&& use) {
-  const EndResponse ends = end_response(problem_, modes_, state);
-  const ModeFields fields = mode_fields(problem_.material, modes_, state);
-  amplitudes_.assign(1, ends.source);
-  int generation = 0;
+void RaySum::at(const WaveState& state, Use&& use) {
+  amplitudes_.assign(1, state.ends.source);
+  generation_ = 0;
   for (std::size_t r = 0; r < rays_.size(); ++r) {
     const Ray& ray = rays_[r];
-    for (; generation < ray.crossings; ++generation) {
-      advance(generation % 2 == 0 ? ends.at_far : ends.at_near);
-    }
     const auto mode = static_cast<std::size_t>(ray.mode);
-    const Complex amplitude = amplitudes_[static_cast<std::size_t>(ray.slow_crossings)][mode];
-    FieldVector contribution = ray.upwards() ? fields.up[mode] : fields.down[mode];
-    for (Complex& field : contribution) field *= amplitude;
-    use(r, contribution, -(state.excess[0] * ray.path[0] + state.excess[1] * ray.path[1]));
+    const Complex factor = amplitude(state.ends, ray);
+    FieldVector contribution = ray.upwards() ? state.fields.up[mode] : state.fields.down[mode];
+    for (Complex& field : contribution) field *= factor;
+    use(r, contribution,
+        -(state.modes.excess[0] * ray.path[0] + state.modes.excess[1] * ray.path[1]));
   }
 }
 
