@@ -61,7 +61,7 @@ class RandomPoints {
     std::vector<double> values = {random_.index(2) * random_.uniform(-1, 1)};
     const int count = 2 + random_.index(6);
     for (int i = 1; i < count; ++i) {
-      times.push_back(i * duration / count * random_.uniform(0.8, 1.0));
+      times.push_back((i - random_.uniform(0.0, 0.8)) * duration / count);
       values.push_back(random_.uniform(-1, 1));
     }
     values.back() = 1.0;

@@ -11,6 +11,7 @@ using Command = std::function<int()>;
 
 void add_reference_command(CLI::App& program, Command& run);
 void add_solve_command(CLI::App& program, Command& run);
+void add_explain_command(CLI::App& program, Command& run);
 void add_demo_command(CLI::App& program, Command& run);
 
 }  // namespace porowave::reports
