@@ -58,6 +58,7 @@ int run(int argc, char** argv) {
       "Exit codes: 0 done, 2 wrong usage or input, 4 the run broke down, 5 environment.");
   porowave::reports::Command command;
   porowave::reports::add_reference_command(program, command);
+  porowave::reports::add_waves_command(program, command);
   porowave::reports::add_solve_command(program, command);
   porowave::reports::add_demo_command(program, command);
   for (CLI::App* sub : program.get_subcommands({})) {
