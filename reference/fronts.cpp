@@ -77,15 +77,16 @@ std::vector<Front> fronts_at(const Problem& problem, const WaveModes& modes, dou
     throw InputError(fmt::format("fronts at t = {}: expected a finite number", t));
   }
   std::vector<Front> fronts;
-  for (const auto& [time, jump] : departures_of(problem.load)) {
-    if (time > t) continue;
-    const auto legs = running_legs(problem, modes, t - time);
+  for (const Departure& departure : departures_of(problem.load)) {
+    if (departure.time > t) continue;
+    const double elapsed = t - departure.time;
+    const auto legs = running_legs(problem, modes, elapsed);
     RaySum amplitudes(problem, modes, legs);
     amplitudes.at(modes.frozen(), [&](std::size_t r, const FieldVector& wave, Complex exponent) {
-      Front front = front_of(problem, modes, legs[r], t - time);
-      const double size = jump * std::exp(exponent.real());
-      front.started = time;
-      front.of_jump = jump != 0.0;
+      Front front = front_of(problem, modes, legs[r], elapsed);
+      const double size = departure.jump * std::exp(exponent.real());
+      front.started = departure.time;
+      front.of_jump = departure.jump != 0.0;
       front.jump = {size * wave[0].real(), size * wave[1].real(), size * wave[2].real(),
                     size * wave[3].real()};
       fronts.push_back(front);
