@@ -16,12 +16,10 @@ std::array<std::array<Complex, 2>, 2> in_modes(const Matrix2& matrix, Complex ep
   return result;
 }
 
-/// [e_1 e_2]^-1 matrix^T vector.
-Amplitudes project(const Matrix2& matrix, const Vector2& vector, Complex eps) {
-  const Complex first = matrix[0][0] * vector[0] + matrix[1][0] * vector[1];
-  const Complex second = matrix[0][1] * vector[0] + matrix[1][1] * vector[1];
+/// [e_1 e_2]^-1 of a vector given by its parts along the frozen modes.
+Amplitudes project(const Vector2& along, Complex eps) {
   const Complex determinant = 1.0 + eps * eps;
-  return {(first - eps * second) / determinant, (eps * first + second) / determinant};
+  return {(along[0] - eps * along[1]) / determinant, (eps * along[0] + along[1]) / determinant};
 }
 
 Reflection multiple_of_identity(double factor) {
@@ -63,9 +61,9 @@ constexpr Vector2 relative = {1.0, -1.0};
 constexpr Vector2 solid = {1.0, 0.0};
 constexpr Vector2 fluid = {0.0, 1.0};
 
-/// Leaving waves for prescribed partial tractions T = (sigma' - n_s p, -n_f p).
-Amplitudes traction_source(const WaveModes& modes, const ModeState& state, const Vector2& T) {
-  Amplitudes source = project(modes.velocity_of_mode(), T, state.mixing);
+/// Leaving waves for prescribed tractions, given by their work r_k . T on the frozen modes.
+Amplitudes traction_source(const ModeState& state, const Vector2& work) {
+  Amplitudes source = project(work, state.mixing);
   for (std::size_t k = 0; k < 2; ++k) source[k] /= -state.slowness[k];
   return source;
 }
@@ -74,18 +72,21 @@ Amplitudes traction_source(const WaveModes& modes, const ModeState& state, const
 
 EndResponse end_response(const Problem& problem, const WaveModes& modes, const ModeState& state) {
   EndResponse response{};
-  const double nf = problem.material.porosity;
   switch (problem.column.near) {
     case NearEnd::drained_traction:
-      response.source = traction_source(modes, state, {-1.0, 0.0});
+      response.source = traction_source(
+          state, {-modes.velocity_of_mode()[0][0], -modes.velocity_of_mode()[0][1]});
       response.at_near = multiple_of_identity(1.0);
       break;
     case NearEnd::fluid_pressure:
-      response.source = traction_source(modes, state, {-(1.0 - nf), -nf});
+      response.source =
+          traction_source(state, {-modes.outflow_of_mode()[0], -modes.outflow_of_mode()[1]});
       response.at_near = multiple_of_identity(1.0);
       break;
     case NearEnd::velocity:
-      response.source = project(modes.traction_of_mode(), both, state.mixing);
+      response.source = project({modes.traction_of_mode()[0][0] + modes.traction_of_mode()[1][0],
+                                 modes.traction_of_mode()[0][1] + modes.traction_of_mode()[1][1]},
+                                state.mixing);
       response.at_near = multiple_of_identity(-1.0);
       break;
     case NearEnd::sealed_traction: {

@@ -1,6 +1,7 @@
 #include "reference/boundary.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <numbers>
 
 #include "reference/random_problems.hpp"
 
@@ -47,6 +48,21 @@ std::array<Complex, 2> far_residual(FarEnd end, const FieldVector& f, double c) 
       return {};
   }
   return {};
+}
+
+/// Integrals of all reflection coefficients round a circle about 0, over its radius.
+std::array<Complex, 8> integrals_round(const Problem& problem, const WaveModes& modes,
+                                       double radius, int nodes) {
+  std::array<Complex, 8> integrals{};
+  for (int i = 0; i < nodes; ++i) {
+    const Complex s = std::polar(radius, 2.0 * std::numbers::pi * (i + 0.5) / nodes);
+    const EndResponse ends = end_response(problem, modes, modes.at(s));
+    for (std::size_t j = 0; j < 4; ++j) {
+      integrals[j] += s * ends.at_near[j / 2][j % 2] / static_cast<double>(nodes);
+      integrals[4 + j] += s * ends.at_far[j / 2][j % 2] / static_cast<double>(nodes);
+    }
+  }
+  return integrals;
 }
 
 }  // namespace
@@ -103,6 +119,24 @@ BOOST_AUTO_TEST_CASE(only_ends_that_mix_stress_and_velocity_convert) {
           end_response(problem, modes, modes.at({modes.relaxation_rate(), 1.0}));
       BOOST_TEST((std::abs(ends.at_near[0][1]) > 1e-9) == converts(problem.column.near));
       BOOST_TEST((std::abs(ends.at_far[0][1]) > 1e-9) == converts(problem.column.far));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(conversion_has_no_poles_outside_of_the_singularities_of_the_modes) {
+  // A contour may only be closed round the singularities of the modes if the ends add none: the
+  // integral of their reflections round a closed curve is then the same near them and far away.
+  fixtures::RandomProblems random(3);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Problem problem =
+        random.next(1.0, Load(), NearEnd::sealed_traction, FarEnd::rigid_drained);
+    const WaveModes modes(problem.material);
+    const double size = std::max(modes.relaxation_rate(), std::abs(modes.branch_point()));
+    const auto near_integral = integrals_round(problem, modes, 1.02 * size, 8192);
+    const auto far_integral = integrals_round(problem, modes, 4.0 * size, 1024);
+    for (std::size_t i = 0; i < near_integral.size(); ++i) {
+      BOOST_TEST(std::abs(near_integral[i] - far_integral[i]) <
+                 1e-9 * (size + std::abs(far_integral[i])));
     }
   }
 }

@@ -4,36 +4,63 @@
 
 namespace porowave::reference {
 
-WaveModes::WaveModes(const Material& m)
-    : undrained_speed_(m.undrained_speed()), relaxation_rate_(m.relaxation_rate()) {
-  const WaveSpeeds speeds = wave_speeds(m);
-  speed_ = {speeds.p1, speeds.p2};
+namespace {
 
-  // D^(-1/2) A D^(-1/2) = W diag(c^2) W^T with W a rotation; R = D^(-1/2) W diag(1/c).
-  const double ns = m.solid_fraction();
-  const double nf = m.porosity;
-  const double K = m.storage_modulus();
-  const std::array<double, 2> root_density = {std::sqrt(m.solid_partial_density()),
-                                              std::sqrt(m.fluid_partial_density())};
-  const double p11 = (m.constrained_modulus + K * ns * ns) / m.solid_partial_density();
-  const double p12 = K * ns * nf / (root_density[0] * root_density[1]);
-  const double p22 = K * nf * nf / m.fluid_partial_density();
-  const double angle = 0.5 * std::atan2(2.0 * p12, p11 - p22);
-  const Matrix2 rotation = {
+/// The constants of a material enter every value as a factor: they are computed with more digits
+/// than they are stored with, so that each is off by half a unit only.
+using Wide = long double;
+
+struct WideMaterial {
+  explicit WideMaterial(const Material& m)
+      : nf(m.porosity),
+        ns(1.0L - nf),
+        ms(ns * m.grain_density),
+        mf(nf * m.fluid_density),
+        E(m.constrained_modulus),
+        K(m.fluid_bulk_modulus / nf),
+        drag(nf * nf * m.fluid_viscosity / m.intrinsic_permeability) {}
+  Wide nf, ns, ms, mf, E, K, drag;
+};
+
+}  // namespace
+
+WaveModes::WaveModes(const Material& material) {
+  const WideMaterial m(material);
+  undrained_speed_ = static_cast<double>(std::sqrt((m.E + m.K) / (m.ms + m.mf)));
+  relaxation_rate_ = static_cast<double>(m.drag * (1.0L / m.ms + 1.0L / m.mf));
+
+  // D^(-1/2) A D^(-1/2) = W diag(c^2) W^T with W a rotation; R = D^(-1/2) W diag(1/c). The smaller
+  // eigenvalue from the product of both, so that nothing cancels.
+  const std::array<Wide, 2> root_density = {std::sqrt(m.ms), std::sqrt(m.mf)};
+  const Wide p11 = (m.E + m.K * m.ns * m.ns) / m.ms;
+  const Wide p12 = m.K * m.ns * m.nf / (root_density[0] * root_density[1]);
+  const Wide p22 = m.K * m.nf * m.nf / m.mf;
+  const Wide fast = 0.5L * (p11 + p22 + std::hypot(p11 - p22, 2.0L * p12));
+  const Wide slow = m.E * m.K * m.nf * m.nf / (m.ms * m.mf) / fast;
+  const std::array<Wide, 2> c = {std::sqrt(fast), std::sqrt(slow)};
+  const Wide angle = 0.5L * std::atan2(2.0L * p12, p11 - p22);
+  const std::array<std::array<Wide, 2>, 2> rotation = {
       {{std::cos(angle), -std::sin(angle)}, {std::sin(angle), std::cos(angle)}}};
-  for (std::size_t phase = 0; phase < 2; ++phase) {
-    for (std::size_t k = 0; k < 2; ++k) {
-      velocity_of_mode_[phase][k] = rotation[phase][k] / (root_density[phase] * speed_[k]);
-      traction_of_mode_[phase][k] = rotation[phase][k] * root_density[phase] * speed_[k];
-    }
-  }
+  std::array<Wide, 2> h;
   for (std::size_t k = 0; k < 2; ++k) {
-    drag_[k] = std::sqrt(m.drag()) * (velocity_of_mode_[0][k] - velocity_of_mode_[1][k]);
+    speed_[k] = static_cast<double>(c[k]);
+    std::array<Wide, 2> velocity;
+    for (std::size_t phase = 0; phase < 2; ++phase) {
+      velocity[phase] = rotation[phase][k] / (root_density[phase] * c[k]);
+      velocity_of_mode_[phase][k] = static_cast<double>(velocity[phase]);
+      traction_of_mode_[phase][k] =
+          static_cast<double>(rotation[phase][k] * root_density[phase] * c[k]);
+    }
+    h[k] = std::sqrt(m.drag) * (velocity[0] - velocity[1]);
+    drag_[k] = static_cast<double>(h[k]);
+    // n . r_k from the second row of A r_k, where it does not cancel for the slow mode.
+    outflow_of_mode_[k] =
+        static_cast<double>(rotation[1][k] * root_density[1] * c[k] / (m.K * m.nf));
   }
-  slowness_gap_ = (speed_[0] - speed_[1]) * (speed_[0] + speed_[1]) /
-                  (speed_[0] * speed_[0] * speed_[1] * speed_[1]);
-  branch_point_ = {(drag_[0] - drag_[1]) * (drag_[0] + drag_[1]) / slowness_gap_,
-                   2.0 * std::abs(drag_[0] * drag_[1]) / slowness_gap_};
+  const Wide gap = (c[0] - c[1]) * (c[0] + c[1]) / (fast * slow);
+  slowness_gap_ = static_cast<double>(gap);
+  branch_point_ = {static_cast<double>((h[0] - h[1]) * (h[0] + h[1]) / gap),
+                   static_cast<double>(2.0L * std::abs(h[0] * h[1]) / gap)};
 }
 
 ModeState WaveModes::at(Complex s, Cut cut) const {

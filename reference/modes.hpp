@@ -47,6 +47,9 @@ class WaveModes {
   /// both modes are analytic outside of it. `outwards`: cuts run from them to +-i infinity, so both
   /// are analytic all along the positive real axis.
   enum class Cut { between, outwards };
+  /// n_s r_sk + n_f r_fk: by how much frozen mode k squeezes the pores.
+  const std::array<double, 2>& outflow_of_mode() const { return outflow_of_mode_; }
+
   /// Modes at s, which lies on no cut.
   ModeState at(Complex s, Cut cut = Cut::between) const;
   /// Limit s -> infinity.
@@ -61,6 +64,7 @@ class WaveModes {
   Complex branch_point_;
   Matrix2 velocity_of_mode_;
   Matrix2 traction_of_mode_;
+  std::array<double, 2> outflow_of_mode_;
 };
 
 }  // namespace porowave::reference

@@ -59,6 +59,7 @@ int run(int argc, char** argv) {
   porowave::reports::Command command;
   porowave::reports::add_reference_command(program, command);
   porowave::reports::add_explain_command(program, command);
+  porowave::reports::add_waves_command(program, command);
   porowave::reports::add_solve_command(program, command);
   porowave::reports::add_demo_command(program, command);
   for (CLI::App* sub : program.get_subcommands({})) {

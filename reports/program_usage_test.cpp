@@ -6,7 +6,7 @@ using namespace porowave::tests;
 
 namespace {
 
-const std::vector<std::string> commands = {"reference", "solve", "demo"};
+const std::vector<std::string> commands = {"reference", "waves", "solve", "demo"};
 
 }  // namespace
 
@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_explained_in_one_line) {
       check_failure(run_porowave(arguments, folder.path()), 2, parts);
     }
   };
-  refused({}, {"expected one of the commands", "reference", "solve", "demo"});
+  refused({}, {"expected one of the commands", "reference", "waves", "solve", "demo"});
   refused({"resolve"}, {"resolve: expected one of the commands"});
   refused({"--fast"}, {"--fast"});
   refused({"solve"}, {"case", "porowave solve --help"});
@@ -51,13 +51,14 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_explained_in_one_line) {
   refused({"reference", paper_problem, "--x", "0"}, {"--t is required"});
   refused({"reference", paper_problem, "--t", "0"}, {"--x is required"});
   refused({"reference", "--x", "0", "--t", "0"}, {"problem is required"});
+  refused({"waves"}, {"problem is required", "porowave waves --help"});
   refused({"demo", "there"}, {"there"});
   BOOST_TEST(folder.contents() == "");
 }
 
 BOOST_AUTO_TEST_CASE(the_examples_run) {
   const TestDirectory folder;
-  for (const std::string command : {"reference", "solve"}) {
+  for (const std::string command : {"reference", "waves", "solve"}) {
     const auto result = run_example(command, (folder / command).string());
     BOOST_TEST(result.exit_code == 0);
     BOOST_TEST(result.errors == "");

@@ -10,6 +10,7 @@ namespace porowave::reports {
 using Command = std::function<int()>;
 
 void add_reference_command(CLI::App& program, Command& run);
+void add_waves_command(CLI::App& program, Command& run);
 void add_solve_command(CLI::App& program, Command& run);
 void add_explain_command(CLI::App& program, Command& run);
 void add_demo_command(CLI::App& program, Command& run);

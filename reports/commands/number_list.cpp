@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -49,6 +50,22 @@ std::vector<double> parse_number_list(const std::string& text, const std::string
     numbers[i] = i + 1 == count ? range[1]
                                 : range[0] + (range[1] - range[0]) * static_cast<double>(i) /
                                                  static_cast<double>(count - 1);
+  }
+  return numbers;
+}
+
+std::vector<double> parse_positive_list(const std::string& text, const std::string& option) {
+  auto numbers = parse_number_list(text, option);
+  if (std::any_of(numbers.begin(), numbers.end(), [](double number) { return number <= 0.0; })) {
+    throw InputError(fmt::format("{} {}: expected numbers > 0", option, text));
+  }
+  if (text.find(':') == std::string::npos) return numbers;
+  // To the base 10, so that decades are met exactly.
+  const double first = std::log10(numbers.front());
+  const double last = std::log10(numbers.back());
+  for (std::size_t i = 1; i + 1 < numbers.size(); ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(numbers.size() - 1);
+    numbers[i] = std::pow(10.0, first + share * (last - first));
   }
   return numbers;
 }

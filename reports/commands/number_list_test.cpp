@@ -61,4 +61,23 @@ BOOST_AUTO_TEST_CASE(everything_else_is_refused) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(positive_ranges_are_even_in_the_logarithm) {
+  const auto positive = [](const std::string& text) {
+    return parse_positive_list(text, "--frequency");
+  };
+  BOOST_TEST(positive("1:1e4:5") == Numbers({1, 10, 100, 1e3, 1e4}),
+             boost::test_tools::tolerance(1e-14) << boost::test_tools::per_element());
+  BOOST_TEST(positive("0.3:70:9").front() == 0.3);
+  BOOST_TEST(positive("0.3:70:9").back() == 70.0);
+  BOOST_TEST(positive("1e4:1:2") == Numbers({1e4, 1}), boost::test_tools::per_element());
+  BOOST_TEST(positive("3:9:1") == Numbers({3}), boost::test_tools::per_element());
+  BOOST_TEST(positive("5,1,2") == Numbers({5, 1, 2}), boost::test_tools::per_element());
+  for (const std::string text : {"0", "-1", "1,0", "0:1:3", "-1:1:3", "1:-1:4"}) {
+    BOOST_TEST(message_of<InputError>([&] { positive(text); }) ==
+               "--frequency " + text + ": expected numbers > 0");
+  }
+  BOOST_TEST(message_of<InputError>([&] { positive("1:2"); }) ==
+             "--frequency 1:2: expected numbers as FIRST:LAST:COUNT or as a comma list");
+}
+
 BOOST_AUTO_TEST_SUITE_END()
