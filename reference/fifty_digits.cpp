@@ -57,8 +57,9 @@ ExactFields ricker(const Point& point) {
   return result(point.problem, first, difference(point.problem, first, invert_ricker(point, 1)));
 }
 
-ExactFields by_images(const Point& point) {
-  const auto arrivals = arrivals_of(point);
+/// For one choice of where inner labels begin.
+ExactFields by_images(const Point& point, double reach) {
+  const auto arrivals = arrivals_of(point, reach);
   const auto first = plan(point, arrivals, 0);
   const auto second = plan(point, arrivals, 1);
   if (!first || !second) return {{}, infinity};
@@ -69,6 +70,16 @@ ExactFields by_images(const Point& point) {
     const double agreement =
         difference(point.problem, value, sum_of(point, *second, wide, refinement));
     if (agreement < best.agreement) best = result(point.problem, value, agreement);
+    if (best.agreement < good_agreement) break;
+  }
+  return best;
+}
+
+ExactFields by_images(const Point& point) {
+  ExactFields best{{}, infinity};
+  for (const double reach : {150.0, 400.0, 60.0, 1000.0}) {
+    const ExactFields next = by_images(point, reach);
+    if (next.agreement < best.agreement) best = next;
     if (best.agreement < good_agreement) break;
   }
   return best;

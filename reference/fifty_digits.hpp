@@ -13,13 +13,17 @@ struct ExactFields {
   double agreement = 0.0;
 };
 
-/// Fields at 0 <= x <= length and t, in Pa and m/s; before rounding to double right to some 1e-20
-/// of the load, as `agreement` tells. The doubles of problem, x and t are taken as exact numbers. A
-/// wave that arrives up to 8 epsilon t after t has arrived: on a front, the value behind it; before
-/// the first arrival, exactly zero. A ricker wavelet is not truncated to its duration (4e-17).
+/// Fields at 0 <= x <= length and t, in Pa and m/s; before they are rounded to double, right to
+/// `agreement`, mostly 1e-25 of the load. The doubles of problem, x and t are taken as exact
+/// numbers. A wave that arrives up to 8 epsilon t after t has arrived: on a front, the value behind
+/// it; before the first arrival, exactly zero. A ricker wavelet is not truncated to its duration,
+/// where it is 4e-17.
 ///
-/// Method: images of the column as in physics, each with its own arrival; modes, ends and loads by
-/// plain linear algebra at a complex s; contours by trying many in double precision.
+/// Method: the images of the column, with modes, ends and loads by plain linear algebra at complex
+/// s; each image with each event of the load is inverted on a hyperbola or circle that was found by
+/// trying many in double precision. For a ricker wavelet, which is smooth, the whole column on a
+/// vertical line. Valid for drag rate * time from 0 to 1e8 and up to some 300 crossings of the
+/// column; takes 10 to 200 ms, in rare cases seconds.
 ExactFields fifty_digits(const Problem& problem, double x, double t);
 
 }  // namespace porowave::fixtures

@@ -9,6 +9,14 @@ namespace {
 
 constexpr double negligible = -85.0;
 
+/// The labels of an event of age `age`, as the header says.
+Labels labels_for(const Medium<Real50>& medium, double age, double reach) {
+  const Medium<double> m(medium);
+  const double distance = std::abs(m.branch);
+  return m.branch.real() > -0.64 * distance && distance * age > reach ? Labels::inner
+                                                                      : Labels::outer;
+}
+
 /// Both wave numbers and the size of an event's transform at real s, for upper bounds.
 class RealBound {
  public:
@@ -47,12 +55,12 @@ class Collector {
         length_(point.problem.column.length.value_or(0.0)),
         converting_(converts(point.problem.column)) {}
 
-  void collect() {
+  void collect(double reach) {
     const std::size_t plain = whole_pulse() ? 2 : events_.size();
     for (std::size_t e = 0; e < plain; ++e) {
       const double age = age_of(e);
       if (age < -arrival_tolerance * point_.t) continue;
-      labels_.push_back(labels_for(point_.medium, age));
+      labels_.push_back(labels_for(point_.medium, age, reach));
     }
     const auto rounded = load_events<double>(point_.problem.load);
     for (std::size_t e = 0; e < events_.size(); ++e) {
@@ -134,16 +142,9 @@ class Collector {
 
 }  // namespace
 
-Labels labels_for(const Medium<Real50>& medium, double age) {
-  const Medium<double> m(medium);
-  const double distance = std::abs(m.branch);
-  return m.branch.real() > -0.64 * distance && distance * age > 150.0 ? Labels::inner
-                                                                      : Labels::outer;
-}
-
-std::vector<Arrival> arrivals_of(const Point& point) {
+std::vector<Arrival> arrivals_of(const Point& point, double reach) {
   std::vector<Arrival> arrivals;
-  Collector(point, arrivals).collect();
+  Collector(point, arrivals).collect(reach);
   return arrivals;
 }
 

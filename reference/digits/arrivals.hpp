@@ -33,11 +33,10 @@ inline constexpr double arrival_tolerance = 8.0 * 2.220446049250313e-16;
 
 /// What contributes to the fields: waves that have arrived and are not negligible (1e-37 of the
 /// load by the bound |f(t)| <= |transform| e^(s t) at the best real s). Where both modes of all
-/// images are to be summed (Labels::inner), those that have not arrived as well.
-std::vector<Arrival> arrivals_of(const Point& point);
-
-/// Labels that suit an event of age `age`: inner ones where the branch points lie so far right
-/// that a contour around them would meet too large numbers.
-Labels labels_for(const Medium<Real50>& medium, double age);
+/// images are to be summed (Labels::inner), those that have not arrived as well. An event has inner
+/// labels if the branch points lie so far right that a contour around them would meet too large
+/// numbers, and its age times their distance from 0 is more than `reach`: then the integrand has
+/// become negligible before it comes to them.
+std::vector<Arrival> arrivals_of(const Point& point, double reach);
 
 }  // namespace porowave::fixtures::digits

@@ -107,7 +107,7 @@ class Planner {
       Sheet sheet{{false, size}, {}, {}};
       const double reach = std::min(1e9 / point_.t, 10.0 * last);
       for (double u = 0.0; u < std::log(2.0 * reach / size); u += 0.25) sheet.u.push_back(u);
-      for (int i = -3; i < 14; ++i) {
+      for (int i = -4; i < 15; ++i) {
         sheet.lines.push_back(line(sheet, 0.1 * i + 0.05 * (variant_ == 0 ? 1 : 0)));
       }
       sheets_.push_back(sheet);
@@ -182,10 +182,14 @@ class Planner {
     const double v = sheet.lines[line].v;
     const bool circle = sheet.family.circle;
     if (circle ? v <= edge : v >= edge) return {};
-    std::size_t end = sheet.u.size();
+    // Where the integrand has become negligible for good, or as far as the labels reach.
+    const auto& own_heights = height[line];
+    const auto reach = static_cast<std::size_t>(
+        std::find(own_heights.begin(), own_heights.end(), infinity) - own_heights.begin());
+    std::size_t end = reach;
     if (!circle) {
-      while (end > 0 && height[line][end - 1] < -digits_wanted) --end;
-      if (end == sheet.u.size() || end == 0) return {};
+      while (end > 0 && own_heights[end - 1] < -digits_wanted) --end;
+      if (end == reach || end == 0) return {};
       ++end;
     }
     const auto top = [&](std::size_t l) {
@@ -194,11 +198,8 @@ class Planner {
     };
     const double own = top(line);
     if (!(own < largest_height)) return {};
-    // The further the contour could be moved to either side, the coarser the rule may be; up to
-    // the edge it is only known that it can be moved.
+    // The further the contour could be moved to either side, the coarser the rule may be.
     std::array<double, 2> step = {0.0, 0.0};
-    step[circle ? 0 : 1] = 2.0 * pi * std::min(0.3, 0.7 * std::abs(v - edge)) /
-                           (std::max(own, 0.0) + 5.0 + digits_wanted);
     for (std::size_t l = 0; l < sheet.lines.size(); ++l) {
       const double other = sheet.lines[l].v;
       if (l == line || (circle ? other <= edge : other >= edge)) continue;
