@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "reference/digits/column_waves.hpp"
+#include "reference/digits/load_events.hpp"
+
+namespace porowave::fixtures::digits {
+
+/// One event of the load in one image: a wave that has crossed the column `crossings` times, `slow`
+/// of them as the slow mode, and runs its last leg as `mode`. Without conversion at the ends, it
+/// is the same mode all the way.
+struct Arrival {
+  int crossings = 0;
+  int slow = 0;
+  std::size_t mode = 0;
+  std::size_t event = 0;
+  Labels labels = Labels::outer;
+  std::array<double, 2> path = {};  ///< m as fast mode, as slow mode
+  Real50 late = 0;                  ///< s that it arrives after t; then it counts as arriving at t
+};
+
+/// All that is known of (x, t) before any contour is chosen.
+struct Point {
+  const Problem& problem;
+  const Medium<Real50>& medium;
+  double x;
+  double t;
+};
+
+/// Arrivals at most this much of t late count as arrived.
+inline constexpr double arrival_tolerance = 8.0 * 2.220446049250313e-16;
+
+/// What contributes to the fields: waves that have arrived and are not negligible (1e-37 of the
+/// load by the bound |f(t)| <= |transform| e^(s t) at the best real s). Where both modes of all
+/// images are to be summed (Labels::inner), those that have not arrived as well. An event has inner
+/// labels if the branch points lie so far right that a contour around them would meet too large
+/// numbers, and its age times their distance from 0 is more than `reach`: then the integrand has
+/// become negligible before it comes to them.
+std::vector<Arrival> arrivals_of(const Point& point, double reach);
+
+}  // namespace porowave::fixtures::digits
