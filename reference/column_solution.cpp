@@ -14,6 +14,10 @@ BoundedFields ColumnSolution::at(double x, double t) const {
   return TimeSlice(*this, t).at(x);
 }
 
+BoundedFields ColumnSolution::time_integral(double x, double t) const {
+  return TimeSlice(*this, t, TimeIntegral::once).at(x);
+}
+
 std::vector<double> ColumnSolution::fronts(double t) const {
   std::vector<double> positions;
   const double length = problem_.column.length.value_or(std::numeric_limits<double>::infinity());

@@ -35,6 +35,10 @@ class ColumnSolution {
   /// Fields at 0 <= x <= length and time t; exactly zero before the first arrival. Throws
   /// InputError for x outside of the column or values not finite.
   BoundedFields at(double x, double t) const;
+  /// Integrals of the four fields over time, from 0 to t: Pa s, Pa s, and the displacements of
+  /// solid and fluid in m. Their bounds are of the same size, relative to load times t. Throws as
+  /// `at`.
+  BoundedFields time_integral(double x, double t) const;
 
   const Problem& problem() const { return problem_; }
   const WaveModes& modes() const { return modes_; }

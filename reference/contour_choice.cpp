@@ -18,6 +18,9 @@ constexpr double least_clearance = 0.06;
 /// Integrands below e^-40 of the load do not count.
 constexpr double negligible_exponent = -40.0;
 constexpr std::size_t most_samples = 24;
+/// What a contour is worse by on which the integrand, once gone, comes back near the relaxation
+/// rate: it oscillates too fast there.
+constexpr double comeback_penalty = 1e4;
 
 /// Some of the arrivals, the oldest and the youngest among them.
 std::vector<Arrival> sample(const std::vector<Arrival>& arrivals) {
@@ -84,6 +87,10 @@ class Search {
     constexpr double share = 1e-12;
     // Beyond the last term that counts a few more are looked at, to see that none counts again.
     const double size = 8.0 * std::max(modes_.relaxation_rate(), std::abs(modes_.branch_point()));
+    constexpr double gone = 1e-17;
+    constexpr double back = 1e-15;
+    bool was_gone = false;
+    bool came_back = false;
     double highest = 0.0;
     double last = 0.0;
     for (double u = 0.0; u < 100.0;) {
@@ -95,11 +102,12 @@ class Search {
       }
       highest = std::max(highest, sum.size);
       if (sum.size > share) last = u;
-      const bool past = u > last + 2.0;
-      if (past && std::abs(node.s) > size) break;
-      u += past ? 3.0 * step : step;
+      was_gone = was_gone || sum.size < gone;
+      came_back = came_back || (was_gone && sum.size > back);
+      if (u > last + 2.0 && std::abs(node.s) > size) break;
+      u += step;
     }
-    return highest;
+    return came_back ? comeback_penalty * std::max(1.0, highest) : highest;
   }
 
   const Problem& problem_;

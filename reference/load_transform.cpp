@@ -105,10 +105,18 @@ double shortest_difference(const std::vector<double>& times) {
   return shortest;
 }
 
+/// The transform of the integral.
+ScaledTransform divided(const ScaledTransform& part, Complex s) {
+  return {part.value / s, part.size / std::abs(s), part.exponent};
+}
+
 }  // namespace
 
-LoadTransform::LoadTransform(const Load& load)
-    : load_(load), peak_(load.peak()), end_(has_duration(load.shape()) ? load.duration() : 0.0) {
+LoadTransform::LoadTransform(const Load& load, TimeIntegral integral, double t)
+    : load_(load),
+      integral_(integral),
+      peak_(load.peak()),
+      end_(has_duration(load.shape()) ? load.duration() : 0.0) {
   const double size = load.magnitude();
   switch (load.shape()) {
     case LoadShape::step:
@@ -136,9 +144,22 @@ LoadTransform::LoadTransform(const Load& load)
       break;
     }
   }
+  if (integral == TimeIntegral::none) return;
+  // What is zero after its end adds nothing from there on.
+  peak_ *= end_ > 0.0 && load.value(end_) == 0.0 ? std::min(end_, t) : t;
 }
 
 ScaledTransform LoadTransform::event(std::size_t e, Complex s, double since) const {
+  const ScaledTransform part = event_of_load(e, s, since);
+  return integral_ == TimeIntegral::once ? divided(part, s) : part;
+}
+
+ScaledTransform LoadTransform::settled(Complex s) const {
+  const ScaledTransform whole = settled_load(s);
+  return integral_ == TimeIntegral::once ? divided(whole, s) : whole;
+}
+
+ScaledTransform LoadTransform::event_of_load(std::size_t e, Complex s, double since) const {
   const double q = load_.magnitude();
   const double T = load_.duration();
   switch (load_.shape()) {
@@ -180,7 +201,11 @@ std::vector<ImaginaryPole> LoadTransform::event_poles(std::size_t e) const {
   // The transform of cos(w t) has residue 1/2 at both of its poles.
   const double sign = e == 0 ? load_.magnitude() : -load_.magnitude();
   const double w = 2.0 * pi / load_.duration();
-  return {{w, -0.25 * sign}, {2.0 * w, 0.0625 * sign}};
+  std::vector<ImaginaryPole> poles = {{w, -0.25 * sign}, {2.0 * w, 0.0625 * sign}};
+  if (integral_ == TimeIntegral::once) {
+    for (ImaginaryPole& pole : poles) pole.residue /= Complex(0.0, pole.frequency);
+  }
+  return poles;
 }
 
 double LoadTransform::shortest_scale() const {
@@ -190,13 +215,13 @@ double LoadTransform::shortest_scale() const {
 ScaledTransform LoadTransform::sum_of_events(Complex s) const {
   Sum sum;
   for (std::size_t e = 0; e < event_times_.size(); ++e) {
-    const ScaledTransform part = event(e, s, end_ - event_times_[e]);
+    const ScaledTransform part = event_of_load(e, s, end_ - event_times_[e]);
     sum.add(part.value * std::exp(part.exponent));
   }
   return {sum.value, sum.size, 0.0};
 }
 
-ScaledTransform LoadTransform::settled(Complex s) const {
+ScaledTransform LoadTransform::settled_load(Complex s) const {
   // Far from 0 the events are small, but the parts below are not: they cancel.
   constexpr double far = 20.0;
   if (std::norm(s) * shortest_piece_ * shortest_piece_ > far * far && !always_whole()) {

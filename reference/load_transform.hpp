@@ -1,6 +1,7 @@
 #pragma once
 
 #include <complex>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -18,9 +19,12 @@ struct ScaledTransform {
 
 /// A simple pole of an event's transform on the imaginary axis, and its conjugate.
 struct ImaginaryPole {
-  double frequency;  ///< the pole is at i * frequency, 1/s
-  double residue;    ///< at both poles
+  double frequency;              ///< the pole is at i * frequency, 1/s
+  std::complex<double> residue;  ///< at this pole; at the other one its conjugate
 };
+
+/// Whether the fields are wanted or their integrals over time, from 0 on.
+enum class TimeIntegral { none, once };
 
 /// The load in the Laplace domain, split so that every part decays to the left as fast as it can.
 ///
@@ -32,9 +36,14 @@ struct ImaginaryPole {
 ///
 /// The ricker wavelet is analytic throughout, and its transform decays in all directions within 45
 /// degrees of the imaginary axis: it is always taken as a whole.
+///
+/// With TimeIntegral::once it stands for the integral of q from 0 on: all transforms are divided by
+/// s. Fields under that load are the integrals of those under q.
 class LoadTransform {
  public:
-  explicit LoadTransform(const Load& load);
+  /// `t` is the time at which integrals are wanted, s; it sets their scale, `peak`.
+  explicit LoadTransform(const Load& load, TimeIntegral integral = TimeIntegral::none,
+                         double t = 0.0);
 
   const std::vector<double>& event_times() const { return event_times_; }
   /// Time of the last event; from then on the load is constant.
@@ -53,15 +62,24 @@ class LoadTransform {
   /// needs it times e^(s (tau - end())).
   ScaledTransform settled(std::complex<double> s) const;
 
-  /// Times and sizes of the jumps of q (including the one at t = 0).
-  const std::vector<std::pair<double, double>>& jumps() const { return jumps_; }
-  double value(double tau) const { return load_.value(tau); }
+  /// Times and sizes of the jumps of q (including the one at t = 0); its integral has none.
+  std::span<const std::pair<double, double>> jumps() const {
+    if (integral_ == TimeIntegral::once) return {};
+    return jumps_;
+  }
+  double value(double tau) const {
+    return integral_ == TimeIntegral::once ? load_.impulse(tau) : load_.value(tau);
+  }
+  /// Largest |q|; for the integral a bound of what it reaches until t.
   double peak() const { return peak_; }
 
  private:
+  ScaledTransform event_of_load(std::size_t e, std::complex<double> s, double since) const;
+  ScaledTransform settled_load(std::complex<double> s) const;
   ScaledTransform sum_of_events(std::complex<double> s) const;
 
   Load load_;
+  TimeIntegral integral_;
   double shortest_piece_ = 0.0;  ///< between two events, where `settled` cancels
   double peak_;
   double end_;

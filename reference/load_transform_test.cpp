@@ -7,6 +7,7 @@
 using porowave::Load;
 using porowave::LoadShape;
 using porowave::reference::LoadTransform;
+using porowave::reference::TimeIntegral;
 using Complex = std::complex<double>;
 
 namespace {
@@ -57,8 +58,9 @@ BOOST_AUTO_TEST_SUITE(load_transform)
 
 BOOST_AUTO_TEST_CASE(the_events_together_are_the_load) {
   // Inverted by themselves, the events that have happened add up to q.
-  for (const Load& load : loads) {
-    const LoadTransform transform(load);
+  for (std::size_t i = 0; i < 2 * loads.size(); ++i) {
+    const Load& load = loads[i / 2];
+    const LoadTransform transform(load, i % 2 == 0 ? TimeIntegral::none : TimeIntegral::once, 2.4);
     if (transform.always_whole()) continue;
     for (const double tau : {0.05, 0.3, 1.1, 1.9, 2.4}) {
       double q = 0.0;
@@ -68,22 +70,26 @@ BOOST_AUTO_TEST_CASE(the_events_together_are_the_load) {
         q += inverse(8.0, [&](Complex s) { return unscaled(transform.event(e, s, since)); });
       }
       BOOST_TEST_CONTEXT(name(load.shape()) << " at " << tau) {
-        BOOST_TEST(std::abs(q - load.value(tau)) < 1e-14 * std::exp(8.0 * tau));
+        BOOST_TEST(transform.value(tau) == (i % 2 == 0 ? load.value(tau) : load.impulse(tau)));
+        BOOST_TEST(std::abs(q - transform.value(tau)) < 1e-14 * std::exp(8.0 * tau));
+        BOOST_TEST(std::abs(transform.value(tau)) <= transform.peak());
       }
     }
   }
 }
 
 BOOST_AUTO_TEST_CASE(poles_outside_of_a_contour_are_given_with_their_residues) {
-  const LoadTransform transform(loads[2]);
   const double tau = 0.7;
-  const double inside =
-      inverse(1.0, [&](Complex s) { return unscaled(transform.event(0, s, tau)); });
-  double at_poles = 0.0;
-  for (const auto& pole : transform.event_poles(0)) {
-    at_poles += 2.0 * pole.residue * std::cos(pole.frequency * tau);
+  for (const TimeIntegral integral : {TimeIntegral::none, TimeIntegral::once}) {
+    const LoadTransform transform(loads[2], integral, tau);
+    const double inside =
+        inverse(1.0, [&](Complex s) { return unscaled(transform.event(0, s, tau)); });
+    double at_poles = 0.0;
+    for (const auto& pole : transform.event_poles(0)) {
+      at_poles += 2.0 * (pole.residue * std::polar(1.0, pole.frequency * tau)).real();
+    }
+    BOOST_TEST(std::abs(inside + at_poles - transform.value(tau)) < 1e-12);
   }
-  BOOST_TEST(std::abs(inside + at_poles - loads[2].value(tau)) < 1e-12);
 }
 
 BOOST_AUTO_TEST_CASE(once_settled_it_is_the_transform_of_the_whole_load) {
@@ -106,6 +112,17 @@ BOOST_AUTO_TEST_CASE(once_settled_it_is_the_transform_of_the_whole_load) {
         }
       }
     }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_integral_of_the_load_has_its_transform_over_s) {
+  const Complex s(0.4, 7.0);
+  for (const Load& load : loads) {
+    const auto of_load = LoadTransform(load).settled(s);
+    const auto of_integral = LoadTransform(load, TimeIntegral::once, 3.0).settled(s);
+    BOOST_TEST(std::abs(unscaled(of_load) / s - unscaled(of_integral)) <
+               1e-15 * of_integral.size * std::exp(of_integral.exponent.real()));
+    BOOST_TEST(LoadTransform(load, TimeIntegral::once, 3.0).jumps().empty());
   }
 }
 

@@ -1,6 +1,7 @@
 #include "reference/profile.hpp"
 
 #include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -24,7 +25,7 @@ constexpr int most_halvings = 24;
 /// Places, as shares of a piece from either end, where the series is compared with the solution:
 /// layers thinner than the distance of the roots are not seen in its coefficients.
 constexpr std::array<double, 6> trials = {0.0007, 0.013, 0.21, 0.73, 0.985, 0.9991};
-constexpr std::array<int, 3> degrees = {16, 32, 64};
+constexpr std::array<unsigned, 3> degrees = {16, 32, 64};
 
 /// Chebyshev coefficients from values at the n roots cos((j + 1/2) pi/n).
 std::vector<FourValues> coefficients_of(const std::vector<FourValues>& values) {
@@ -80,11 +81,11 @@ void Profile::add(TimeSlice& slice, const Problem& problem, double begin, double
   Piece piece{begin, end, {}};
   double value_error = 0.0;
   double interpolation = std::numeric_limits<double>::infinity();
-  for (const int degree : degrees) {
+  for (const unsigned degree : degrees) {
     std::vector<FourValues> values;
     value_error = 0.0;
     bool at_rest = true;
-    for (int j = 0; j < degree; ++j) {
+    for (unsigned j = 0; j < degree; ++j) {
       const double root = std::cos((j + 0.5) * std::numbers::pi / degree);
       const auto fields = slice.at(0.5 * (begin + end) + 0.5 * (end - begin) * root);
       ++evaluations_;
@@ -137,6 +138,26 @@ Fields Profile::at(double x) const {
   const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), x,
                                       [](double value, const Piece& p) { return value < p.begin; });
   return (after == pieces_.begin() ? *after : *(after - 1)).at(x);
+}
+
+double Profile::integral(const std::function<double(const Fields&)>& f) const {
+  using boost::math::quadrature::gauss;
+  double sum = 0.0;
+  for (const Piece& piece : pieces_) {
+    const auto at_place = [&](double x) { return f(piece.at(x)); };
+    // A rule of n nodes integrates the square of a series of n terms.
+    const std::size_t terms = piece.coefficients.size();
+    if (terms == 1) {
+      sum += (piece.end - piece.begin) * at_place(piece.begin);
+    } else if (terms <= degrees[0]) {
+      sum += gauss<double, degrees[0]>::integrate(at_place, piece.begin, piece.end);
+    } else if (terms <= degrees[1]) {
+      sum += gauss<double, degrees[1]>::integrate(at_place, piece.begin, piece.end);
+    } else {
+      sum += gauss<double, degrees[2]>::integrate(at_place, piece.begin, piece.end);
+    }
+  }
+  return sum;
 }
 
 Fields Profile::Piece::at(double x) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "reference/column_solution.hpp"
@@ -22,6 +23,10 @@ class Profile {
 
   /// Fields at x; at a front the value ahead of it (larger x).
   Fields at(double x) const;
+
+  /// Integral over 0 <= x <= end; exact for the series, up to rounding, if `f` is of degree two in
+  /// the fields (Gauss-Legendre on every piece).
+  double integral(const std::function<double(const Fields&)>& f) const;
 
   /// Estimate of the largest error anywhere, relative to the load: interpolation (size of the last
   /// coefficients) and the bounds of the values it interpolates. Infinite if one was unresolved.

@@ -66,6 +66,33 @@ BOOST_AUTO_TEST_CASE(ahead_of_the_first_front_it_is_exactly_zero) {
   BOOST_TEST(profile.at(0.04).effective_stress < -0.1);
 }
 
+BOOST_AUTO_TEST_CASE(the_strains_add_up_to_the_settlement) {
+  const Problem problem = fixtures::paper_problem();
+  const ColumnSolution solution(problem);
+  for (const double t : {1e-6, 4e-5, 1.1e-4}) {
+    const Profile profile(solution, t, 0.1);
+    const double shortening = -profile.integral([](const Fields& f) {
+      return f.effective_stress;
+    }) / problem.material.constrained_modulus;
+    BOOST_TEST(shortening == solution.time_integral(0.0, t).value.solid_velocity,
+               boost::test_tools::tolerance(1e-12));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(products_of_fields_are_integrated) {
+  // The midpoint rule on many points knows nothing of the pieces.
+  const ColumnSolution solution(fixtures::paper_problem(Load(LoadShape::smooth_ramp, 1.0, 1e-5)));
+  const Profile profile(solution, 6e-5, 0.1);
+  const auto product = [](const Fields& f) { return f.effective_stress * f.pore_pressure; };
+  constexpr int points = 20000;
+  double sum = 0.0;
+  for (int i = 0; i < points; ++i) sum += product(profile.at(0.1 * (i + 0.5) / points));
+  const double integral = profile.integral(product);
+  BOOST_TEST(std::abs(integral - 0.1 * sum / points) < 1e-7 * std::abs(integral));
+  BOOST_TEST(profile.integral([](const Fields&) { return 3.0; }) == 0.3,
+             boost::test_tools::tolerance(1e-14));
+}
+
 BOOST_AUTO_TEST_CASE(what_the_reference_cannot_resolve_it_does_not_hide) {
   // More images than are followed.
   Problem problem = fixtures::paper_problem();

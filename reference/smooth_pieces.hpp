@@ -11,4 +11,9 @@ namespace porowave::reference {
 /// undrained fronts and of consolidation layers at the ends where drag makes those thin, and `end`.
 std::vector<double> smooth_pieces(const ColumnSolution& solution, double t, double end);
 
+/// The same at x = 0 over time: ends of the pieces of 0 <= t <= `end` between which the fields
+/// there are analytic, ascending. All arrivals that drag has not used up (of every break of the
+/// load), and both sides of undrained waves that come back.
+std::vector<double> smooth_times(const ColumnSolution& solution, double end);
+
 }  // namespace porowave::reference

@@ -26,6 +26,21 @@ BOOST_AUTO_TEST_CASE(pieces_end_at_all_fronts_of_the_load) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(times_end_at_all_arrivals_at_the_loaded_end) {
+  const ColumnSolution solution(fixtures::paper_problem(Load(LoadShape::block, 1.0, 1e-5)));
+  const double t = 2e-4;
+  const auto ends = smooth_times(solution, t);
+  BOOST_TEST(ends.front() == 0.0);
+  BOOST_TEST(ends.back() == t);
+  BOOST_TEST(std::is_sorted(ends.begin(), ends.end()));
+  const double fast = 0.2 / solution.modes().speed(0);
+  const double slow = 0.2 / solution.modes().speed(1);
+  for (const double time : {1e-5, fast, fast + 1e-5, 2.0 * fast, slow, slow + 1e-5}) {
+    BOOST_TEST(std::count_if(ends.begin(), ends.end(),
+                             [&](double end) { return std::abs(end - time) < 1e-14; }) == 1);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(profiles_see_thin_layers) {
   // From waves that pass to stiff drag: at random places the series must be as good as it says.
   fixtures::RandomProblems random(3);

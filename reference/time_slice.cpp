@@ -47,11 +47,11 @@ double reachable_bound(const ArrivalGroup& group) {
 
 }  // namespace
 
-TimeSlice::TimeSlice(const ColumnSolution& solution, double t)
+TimeSlice::TimeSlice(const ColumnSolution& solution, double t, TimeIntegral integral)
     : solution_(solution),
       t_(t),
       uncertainty_(arrival_rounding * t),
-      load_(solution.problem().load),
+      load_(solution.problem().load, integral, t),
       unit_(unit_fields(solution.problem())) {
   require_inside(solution.problem().column, 0.0, t);
 }

@@ -10,11 +10,13 @@ namespace porowave::reference {
 /// The solution at one time. Contours and their nodes, found for one point, serve its neighbours:
 /// many points of a time cost a tenth of as many single ones.
 ///
-/// Values and bounds are those of ColumnSolution::at. Not to be shared by threads.
+/// Values and bounds are those of ColumnSolution::at or ::time_integral. Not to be shared by
+/// threads.
 class TimeSlice {
  public:
   /// `solution` must outlive the slice. Throws InputError for a time that is not finite.
-  TimeSlice(const ColumnSolution& solution, double t);
+  /// With TimeIntegral::once the slice is that of the fields' integrals over time.
+  TimeSlice(const ColumnSolution& solution, double t, TimeIntegral integral = TimeIntegral::none);
 
   /// Fields at 0 <= x <= length. Throws InputError for other x.
   BoundedFields at(double x);
