@@ -2,17 +2,11 @@
 
 #include <vector>
 
+#include "reference/bounded_fields.hpp"
 #include "reference/modes.hpp"
 #include "reference/problem/problem.hpp"
 
 namespace porowave::reference {
-
-/// Values at one point and time, each with a bound for its own error (same unit). A value that
-/// could not be resolved is NaN with a bound of infinity.
-struct BoundedFields {
-  Fields value;
-  Fields error;
-};
 
 /// The saturated column solved exactly: Laplace transform, images (rays), and for the rays that
 /// have arrived a hyperbola round the singularities of the two modes (README.md of this room).

@@ -34,5 +34,5 @@ set(CPACK_STRIP_FILES ON)
 # A program's user needs gnuplot; a library's user needs what porowaveConfig.cmake looks for.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-    "libeigen3-dev, libtomlplusplus-dev, libfmt-dev, nlohmann-json3-dev")
+    "libeigen3-dev, libtomlplusplus-dev, libfmt-dev, nlohmann-json3-dev, libgsl-dev, libfftw3-dev, pkg-config")
 include(CPack)
