@@ -80,7 +80,7 @@ ExactFields by_images(const Point& point) {
   for (const double reach : {150.0, 400.0, 60.0, 1000.0}) {
     const ExactFields next = by_images(point, reach);
     if (next.agreement < best.agreement) best = next;
-    if (best.agreement < good_agreement) break;
+    if (best.agreement < good_agreement || !has_inner_labels(point.medium)) break;
   }
   return best;
 }

@@ -11,10 +11,8 @@ constexpr double negligible = -85.0;
 
 /// The labels of an event of age `age`, as the header says.
 Labels labels_for(const Medium<Real50>& medium, double age, double reach) {
-  const Medium<double> m(medium);
-  const double distance = std::abs(m.branch);
-  return m.branch.real() > -0.64 * distance && distance * age > reach ? Labels::inner
-                                                                      : Labels::outer;
+  const double distance = std::abs(Medium<double>(medium).branch);
+  return has_inner_labels(medium) && distance * age > reach ? Labels::inner : Labels::outer;
 }
 
 /// Both wave numbers and the size of an event's transform at real s, for upper bounds.
@@ -141,6 +139,11 @@ class Collector {
 };
 
 }  // namespace
+
+bool has_inner_labels(const Medium<Real50>& medium) {
+  const std::complex<double> branch = Medium<double>(medium).branch;
+  return branch.real() > -0.64 * std::abs(branch);
+}
 
 std::vector<Arrival> arrivals_of(const Point& point, double reach) {
   std::vector<Arrival> arrivals;

@@ -31,12 +31,15 @@ struct Point {
 /// Arrivals at most this much of t late count as arrived.
 inline constexpr double arrival_tolerance = 8.0 * 2.220446049250313e-16;
 
+/// True if the branch points lie so far right (within 130 degrees of the real axis) that a contour
+/// around them may meet too large numbers.
+bool has_inner_labels(const Medium<Real50>& medium);
+
 /// What contributes to the fields: waves that have arrived and are not negligible (1e-37 of the
 /// load by the bound |f(t)| <= |transform| e^(s t) at the best real s). Where both modes of all
 /// images are to be summed (Labels::inner), those that have not arrived as well. An event has inner
-/// labels if the branch points lie so far right that a contour around them would meet too large
-/// numbers, and its age times their distance from 0 is more than `reach`: then the integrand has
-/// become negligible before it comes to them.
+/// labels if the medium has them and the event's age times the distance of the branch points from 0
+/// is more than `reach`: then the integrand has become negligible before it comes to them.
 std::vector<Arrival> arrivals_of(const Point& point, double reach);
 
 }  // namespace porowave::fixtures::digits

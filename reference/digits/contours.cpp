@@ -23,8 +23,9 @@ constexpr int most_nodes = 20'000;
 struct Line {
   double v;
   std::vector<Complex> s;
-  std::vector<double> log_ds;               ///< log |ds/du|
-  std::vector<std::array<double, 2>> decay; /**< Re lambda, infinite out of the labels' reach */
+  std::vector<double> log_ds;                ///< log |ds/du|
+  std::vector<std::array<double, 2>> decay;  /**< Re lambda, infinite out of the labels' reach */
+  std::vector<std::vector<double>> log_load; /**< log |transform| of each event */
 };
 
 /// All contours of a family, at the same values of u.
@@ -115,11 +116,15 @@ class Planner {
   }
 
   Line line(const Sheet& sheet, double v) const {
-    Line line{v, {}, {}, {}};
+    Line line{v, {}, {}, {}, {}};
+    line.log_load.resize(events_.size());
     for (const double u : sheet.u) {
       const Complex s = point_of(sheet.family, v, u);
       line.s.push_back(s);
       line.log_ds.push_back(std::log(std::abs(derivative_of(sheet.family, v, u))));
+      for (std::size_t e = 0; e < events_.size(); ++e) {
+        line.log_load[e].push_back(std::log(std::abs(events_[e].at(s))));
+      }
       const bool reached = labels_ == Labels::outer || std::abs(s) < 0.8 * std::abs(medium_.branch);
       const auto slowness = medium_.slowness(s, labels_);
       line.decay.push_back(reached ? std::array{(s * slowness[0]).real(), (s * slowness[1]).real()}
@@ -135,8 +140,7 @@ class Planner {
     std::vector<double> result(line.s.size());
     for (std::size_t i = 0; i < result.size(); ++i) {
       result[i] = line.s[i].real() * age - line.decay[i][0] * a.path[0] -
-                  line.decay[i][1] * a.path[1] + std::log(std::abs(event.at(line.s[i]))) +
-                  line.log_ds[i];
+                  line.decay[i][1] * a.path[1] + line.log_load[a.event][i] + line.log_ds[i];
       if (std::isinf(line.decay[i][0])) result[i] = infinity;
     }
     return result;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
+#include <tuple>
 
 namespace porowave::fixtures::digits {
 
@@ -63,11 +64,14 @@ template <class C>
 class Amplitudes {
  public:
   Amplitudes(const ColumnWaves<C>& waves, const Pair<C>& crossing, bool converting, int most_slow)
-      : waves_(waves),
-        crossing_(crossing),
+      : ends_{waves.at_far, waves.at_near},
         converting_(converting),
         most_slow_(static_cast<std::size_t>(most_slow)),
-        current_{waves.source} {}
+        current_{waves.source} {
+    for (Matrix<C>& end : ends_) {
+      for (std::size_t k = 0; k < 2; ++k) end[0][k] *= crossing[k], end[1][k] *= crossing[k];
+    }
+  }
 
   const C& of(const Arrival& a) {
     for (; crossings_ < a.crossings; ++crossings_) advance();
@@ -76,9 +80,9 @@ class Amplitudes {
 
  private:
   void advance() {
-    const Matrix<C>& end = crossings_ % 2 == 0 ? waves_.at_far : waves_.at_near;
+    const Matrix<C>& end = ends_[static_cast<std::size_t>(crossings_ % 2)];
     if (!converting_) {
-      for (std::size_t k = 0; k < 2; ++k) current_[0][k] *= end[k][k] * crossing_[k];
+      for (std::size_t k = 0; k < 2; ++k) current_[0][k] *= end[k][k];
       return;
     }
     const std::size_t size = std::min(current_.size(), most_slow_) + 1;
@@ -86,16 +90,14 @@ class Amplitudes {
     for (std::size_t slow = 0; slow < current_.size(); ++slow) {
       for (std::size_t mode = 0; mode < 2; ++mode) {
         if (slow + mode >= size) continue;
-        const C arriving = current_[slow][mode] * crossing_[mode];
-        next[slow + mode][0] += end[0][mode] * arriving;
-        next[slow + mode][1] += end[1][mode] * arriving;
+        next[slow + mode][0] += end[0][mode] * current_[slow][mode];
+        next[slow + mode][1] += end[1][mode] * current_[slow][mode];
       }
     }
     current_.swap(next);
   }
 
-  const ColumnWaves<C>& waves_;
-  const Pair<C>& crossing_;
+  std::array<Matrix<C>, 2> ends_;  ///< a crossing and then the end: far, near
   bool converting_;
   std::size_t most_slow_;
   int crossings_ = 0;
@@ -117,8 +119,9 @@ class Integrand {
         t_(point.t),
         x_(point.x),
         length_(point.problem.column.length.value_or(0.0)) {
-    std::sort(arrivals_.begin(), arrivals_.end(),
-              [](const Arrival& a, const Arrival& b) { return a.crossings < b.crossings; });
+    std::sort(arrivals_.begin(), arrivals_.end(), [](const Arrival& a, const Arrival& b) {
+      return std::tie(a.crossings, a.slow, a.mode) < std::tie(b.crossings, b.slow, b.mode);
+    });
     for (const Arrival& a : arrivals_) most_slow_ = std::max(most_slow_, a.slow);
     used_.resize(events_.size());
     for (const Arrival& a : arrivals_) used_[a.event] = true;
@@ -136,10 +139,13 @@ class Integrand {
     Amplitudes<C> amplitudes(waves, crossing, converts(problem_.column), most_slow_);
     Pair<C> up = {C(0), C(0)};
     Pair<C> down = {C(0), C(0)};
-    for (const Arrival& a : arrivals_) {
-      C wave = amplitudes.of(a) * load[a.event];
-      if (a.late > 0) wave *= exp(C(s * R(a.late)));
-      (a.crossings % 2 == 0 ? up : down)[a.mode] += wave;
+    C all_events(0);
+    for (std::size_t i = 0; i < arrivals_.size(); ++i) {
+      const Arrival& a = arrivals_[i];
+      all_events += a.late > 0 ? C(load[a.event] * exp(C(s * R(a.late)))) : load[a.event];
+      if (i + 1 < arrivals_.size() && same_wave(a, arrivals_[i + 1])) continue;
+      (a.crossings % 2 == 0 ? up : down)[a.mode] += amplitudes.of(a) * all_events;
+      all_events = C(0);
     }
     FourFields<C> sum;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -154,6 +160,10 @@ class Integrand {
   }
 
  private:
+  static bool same_wave(const Arrival& a, const Arrival& b) {
+    return a.crossings == b.crossings && a.slow == b.slow && a.mode == b.mode;
+  }
+
   static C decay(const ColumnWaves<C>& waves, std::size_t mode, const R& path) {
     using std::exp;
     return exp(C(-waves.wave_number[mode] * path));
