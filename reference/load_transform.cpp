@@ -81,16 +81,19 @@ std::vector<double> table_jumps(const Load& load) {
   return jumps;
 }
 
-/// Changes of the slope of a table at its times.
-std::vector<double> table_slope_changes(const Load& load) {
+using SlopeChange = LoadTransform::SlopeChange;
+
+std::vector<SlopeChange> table_slope_changes(const Load& load) {
   const auto& t = load.times();
-  std::vector<double> changes(t.size(), 0.0);
+  std::vector<SlopeChange> changes(t.size());
   for (std::size_t i = 0; i + 1 < t.size(); ++i) {
     if (t[i] == t[i + 1]) continue;
     const double slope =
         load.magnitude() * (load.values()[i + 1] - load.values()[i]) / (t[i + 1] - t[i]);
-    changes[i] += slope;
-    changes[i + 1] -= slope;
+    changes[i].value += slope;
+    changes[i + 1].value -= slope;
+    changes[i].size += std::abs(slope);
+    changes[i + 1].size += std::abs(slope);
   }
   return changes;
 }
@@ -187,8 +190,8 @@ ScaledTransform LoadTransform::event_of_load(std::size_t e, Complex s, double si
     }
     case LoadShape::table: {
       const double jump = jumps_[e].second;
-      const double size = std::abs(jump) + std::abs(slope_changes_[e]) / std::abs(s);
-      return {(jump + slope_changes_[e] / s) / s, size / std::abs(s), s * since};
+      const double size = std::abs(jump) + slope_changes_[e].size / std::abs(s);
+      return {(jump + slope_changes_[e].value / s) / s, size / std::abs(s), s * since};
     }
     case LoadShape::ricker:
       break;

@@ -41,6 +41,12 @@ enum class TimeIntegral { none, once };
 /// s. Fields under that load are the integrals of those under q.
 class LoadTransform {
  public:
+  /// Change of the slope of a table at one of its times, and the size of the slopes it comes from.
+  struct SlopeChange {
+    double value = 0.0;
+    double size = 0.0;
+  };
+
   /// `t` is the time at which integrals are wanted, s; it sets their scale, `peak`.
   explicit LoadTransform(const Load& load, TimeIntegral integral = TimeIntegral::none,
                          double t = 0.0);
@@ -85,7 +91,7 @@ class LoadTransform {
   double end_;
   std::vector<double> event_times_;
   std::vector<std::pair<double, double>> jumps_;
-  std::vector<double> slope_changes_;  ///< of a table, at its times
+  std::vector<SlopeChange> slope_changes_;  ///< of a table, at its times
 };
 
 }  // namespace porowave::reference

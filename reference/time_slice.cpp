@@ -116,7 +116,7 @@ Inverted TimeSlice::by_contour(const ArrivalGroup& group, Integrand& integrand) 
   std::size_t attempts = 0;
   for (auto known = known_.begin(); known != known_.end() && attempts < 2; ++known) {
     const double ratio = known->age / oldest.age;
-    if (known->part != oldest.part || ratio > 1.5 || ratio < 1.0 / 1.5) continue;
+    if (known->part != oldest.part || ratio > 8.0 || ratio < 1.0 / 1.5) continue;
     ++attempts;
     const Inverted result = invert(integrand, known->table, uncertainty_);
     if (result.worst < best.worst) best = result;
