@@ -2,11 +2,14 @@
 #include <fmt/ostream.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <memory>
 
-#include "reference/column_solution.hpp"
+#include "reference/cross_check.hpp"
+#include "reference/problem/errors.hpp"
+#include "reference/route.hpp"
 #include "reports/commands/commands.hpp"
 #include "reports/commands/number_list.hpp"
 #include "reports/output_file.hpp"
@@ -20,7 +23,12 @@ struct Options {
   std::string x;
   std::string t;
   std::string output;
+  std::string method = std::string(name(reference::Method::contour));
+  bool cross_check = false;
 };
+
+constexpr int exit_disagreement = 1;
+constexpr int exit_inconclusive = 3;
 
 struct Row {
   double x;
@@ -41,17 +49,63 @@ void write_csv(const std::vector<Row>& rows, std::ostream& out) {
   }
 }
 
+reference::Route chosen_route(const Options& options, const Problem& problem) {
+  const auto& names = reference::method_names;
+  const auto index = std::find(names.begin(), names.end(), options.method) - names.begin();
+  const auto route = reference::route(static_cast<reference::Method>(index), problem);
+  if (!route.obstacle.empty()) {
+    throw InputError(fmt::format("{}: {}", options.problem, route.obstacle));
+  }
+  return route;
+}
+
+void print_check(const reference::RouteCheck& check) {
+  if (!check.obstacle.empty()) {
+    fmt::print("{:<10} not compared: {}\n", check.route, check.obstacle);
+    return;
+  }
+  fmt::print("{:<10} {:>8} {:>14}", check.route, check.compared, check.too_inaccurate);
+  if (check.compared > 0) {
+    const auto& worst = check.worst;
+    fmt::print(" {:>10.2e} {:>10.2e}  {} at x = {:.17g}, t = {:.17g}: {:.17g}, contour {:.17g}",
+               worst.difference, worst.allowed, worst.field, worst.x, worst.t, worst.other,
+               worst.main);
+  }
+  fmt::print("\n");
+}
+
+/// Compares the routes and prints one line for each; the exit code says whether they agree.
+int run_cross_check(const Problem& problem, const std::vector<double>& xs,
+                    const std::vector<double>& ts) {
+  const auto check = reference::compare_routes(problem, xs, ts);
+  fmt::print("{:<10} {:>8} {:>14} {:>10} {:>10}  {}\n", "route", "compared", "too_inaccurate",
+             "difference", "allowed", "where (differences are relative to the load)");
+  for (const auto& route : check.routes) print_check(route);
+  if (!check.agree()) {
+    fmt::print("the routes disagree by more than their stated errors\n");
+    return exit_disagreement;
+  }
+  if (check.compared() == 0) {
+    fmt::print("no value could be compared\n");
+    return exit_inconclusive;
+  }
+  fmt::print("the routes agree within their stated errors\n");
+  return 0;
+}
+
 int run_reference(const Options& options) {
   const Problem problem = load_problem(options.problem);
   const auto xs = parse_number_list(options.x, "--x");
   const auto ts = parse_number_list(options.t, "--t");
+  if (options.cross_check) return run_cross_check(problem, xs, ts);
+  const reference::Route route = chosen_route(options, problem);
   if (!options.output.empty()) require_writable(options.output);
-  const reference::ColumnSolution solution(problem);
   std::vector<Row> rows;
   std::size_t unresolved = 0;
   for (const double t : ts) {
-    for (const double x : xs) {
-      rows.push_back({x, t, solution.at(x, t)});
+    const auto fields = route.fields(xs, t);
+    for (std::size_t i = 0; i < xs.size(); ++i) {
+      rows.push_back({xs[i], t, fields[i]});
       if (!std::isfinite(rows.back().fields.error.effective_stress)) ++unresolved;
     }
   }
@@ -81,7 +135,20 @@ void add_reference_command(CLI::App& program, Command& run) {
   command->add_option("--x", options->x, "Points: FIRST:LAST:COUNT or a comma list, m")->required();
   command->add_option("--t", options->t, "Times: a comma list (or FIRST:LAST:COUNT), s")
       ->required();
-  command->add_option("--output", options->output, "CSV file (standard output if absent)");
+  auto* output =
+      command->add_option("--output", options->output, "CSV file (standard output if absent)");
+  const std::vector<std::string> methods(reference::method_names.begin(),
+                                         reference::method_names.end());
+  auto* method = command
+                     ->add_option("--method", options->method,
+                                  "Route to the solution: contour (default; all problems), "
+                                  "bromwich (GSL), modal (FFTW; smooth loads)")
+                     ->check(CLI::IsMember(methods));
+  command
+      ->add_flag("--cross-check", options->cross_check,
+                 "Print how far the routes differ; exit code 1 if by more than their errors")
+      ->excludes(method)
+      ->excludes(output);
   command->footer(
       "Columns: x,t, the four fields, and a bound for the error of each (same unit).\n"
       "Example: porowave reference verification/studies/paper_problem.toml --x 0:0.1:101 --t 4e-5");
