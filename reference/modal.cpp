@@ -150,9 +150,10 @@ BoundedFields ModalSolution::at(double x) const {
         fmt::format("modal: x = {}: expected a number from 0 to {}", x, state_->length));
   }
   if (!state_->layers) return {};
-  Four sum = state_->layer_fields(x);
+  Four sum{};
   const auto& modes = state_->modes;
-  for (std::size_t n = 0; n < modes[0].size(); ++n) {
+  // Small ones first: thousands of them, each below the rounding of the whole, count together.
+  for (std::size_t n = modes[0].size(); n-- > 0;) {
     const double phase = state_->wave_number(n) * x;
     const double sine = std::sin(phase);
     // The last node of the cosines is exact.
@@ -162,6 +163,8 @@ BoundedFields ModalSolution::at(double x) const {
     sum[2] += modes[2][n] * cosine;
     sum[3] += modes[3][n] * cosine;
   }
+  const Four layers = state_->layer_fields(x);
+  for (std::size_t f = 0; f < 4; ++f) sum[f] += layers[f];
   return {as_fields(sum), as_fields(state_->error)};
 }
 

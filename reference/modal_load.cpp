@@ -95,7 +95,7 @@ double SmoothLoad::derivative_at(int order, double time) const {
 }
 
 double SmoothLoad::derivative(int order) const {
-  if (t_ < load_.duration()) return derivative_at(order, t_);
+  if (t_ <= load_.duration()) return derivative_at(order, t_);
   return order == 0 ? load_.value(t_) : 0.0;
 }
 

@@ -19,7 +19,8 @@ class SmoothLoad {
   /// t > 0; the load is smooth.
   SmoothLoad(const Load& load, double t);
 
-  /// q^(order)(t), 0 <= order <= most_derivatives; after the end of the load 0, or q itself.
+  /// q^(order)(t), 0 <= order <= most_derivatives; after the end of the load 0, or q itself. At its
+  /// end, the value before it: that is what the response there contains.
   double derivative(int order) const;
   /// integral_0^t e^(s (t - tau)) q'(tau) dtau, exact to rounding. Re s t must not be large.
   std::complex<double> response(std::complex<double> s) const;

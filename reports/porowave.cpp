@@ -55,7 +55,8 @@ int run(int argc, char** argv) {
   program.fallthrough(false);
   program.footer(
       "porowave COMMAND --help shows an example.\n"
-      "Exit codes: 0 done, 2 wrong usage or input, 4 the run broke down, 5 environment.");
+      "Exit codes: 0 done, 1 verdict fail, 2 wrong usage or input, 3 verdict inconclusive,\n"
+      "4 the run broke down, 5 environment.");
   porowave::reports::Command command;
   porowave::reports::add_reference_command(program, command);
   porowave::reports::add_explain_command(program, command);

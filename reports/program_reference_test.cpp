@@ -79,4 +79,71 @@ BOOST_AUTO_TEST_CASE(a_case_file_will_do) {
   BOOST_TEST(read_csv(result.output).rows.size() == 1u);
 }
 
+BOOST_AUTO_TEST_CASE(every_method_gives_the_same_table) {
+  const auto table = [](const std::vector<std::string>& method) {
+    // The case has a load that all routes can do.
+    std::vector<std::string> arguments = {"reference", paper_case, "--x",
+                                          "0:0.1:5",   "--t",      "1e-5,5e-5"};
+    arguments.insert(arguments.end(), method.begin(), method.end());
+    const auto result = run_porowave(arguments);
+    BOOST_TEST(result.exit_code == 0);
+    BOOST_TEST(result.errors == "");
+    return read_csv(result.output);
+  };
+  const CsvText contour = table({});
+  BOOST_TEST(table({"--method", "contour"}).rows == contour.rows);
+  for (const std::string method : {"bromwich", "modal"}) {
+    const CsvText csv = table({"--method", method});
+    BOOST_TEST(csv.header == contour.header);
+    BOOST_REQUIRE(csv.rows.size() == 10u);
+    BOOST_TEST(csv.rows != contour.rows);  // another route rounds differently
+    for (std::size_t i = 0; i < csv.rows.size(); ++i) {
+      for (std::size_t f = 2; f < 6; ++f) {
+        const double difference = std::stod(csv.rows[i][f]) - std::stod(contour.rows[i][f]);
+        BOOST_TEST(std::abs(difference) <=
+                   1e-14 + std::stod(csv.rows[i][f + 4]) + std::stod(contour.rows[i][f + 4]));
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_method_that_cannot_do_the_problem_is_refused) {
+  auto arguments = reference_arguments("0:0.1:5", "1e-5");
+  arguments.insert(arguments.end(), {"--method", "modal"});
+  check_failure(run_porowave(arguments), 2,
+                {paper_problem, "modal: load shape = \"step\": expected smooth_ramp"});
+  arguments.back() = "guess";
+  check_failure(run_porowave(arguments), 2, {"--method", "guess", "contour", "modal"});
+}
+
+BOOST_AUTO_TEST_CASE(the_cross_check_says_how_far_the_routes_differ) {
+  const auto smooth = run_porowave(
+      {"reference", paper_case, "--x", "0:0.1:5", "--t", "1e-5,5e-5", "--cross-check"});
+  BOOST_TEST(smooth.exit_code == 0);
+  BOOST_TEST(smooth.errors == "");
+  for (const std::string route : {"bromwich", "modal"}) {
+    const auto line = smooth.output.find("\n" + route);
+    BOOST_REQUIRE(line != std::string::npos);
+    BOOST_TEST(std::stoi(smooth.output.substr(line + 1 + route.size())) == 40);
+  }
+  BOOST_TEST(contains(smooth.output, "the routes agree"));
+
+  auto arguments = reference_arguments("0:0.1:5", "1e-5");
+  arguments.push_back("--cross-check");
+  const auto step = run_porowave(arguments);
+  BOOST_TEST(step.exit_code == 0);
+  BOOST_TEST(contains(step.output, "modal      not compared: modal: load shape = \"step\""));
+  arguments.insert(arguments.end(), {"--output", "fields.csv"});
+  check_failure(run_porowave(arguments), 2, {"--cross-check", "--output"});
+}
+
+BOOST_AUTO_TEST_CASE(a_cross_check_that_compares_nothing_is_inconclusive) {
+  // Where and when the load begins all fields jump, and no route says more than that.
+  auto arguments = reference_arguments("0", "0");
+  arguments.push_back("--cross-check");
+  const auto result = run_porowave(arguments);
+  BOOST_TEST(result.exit_code == 3);
+  BOOST_TEST(contains(result.output, "no value could be compared"));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "reference/column_solution.hpp"
+#include "reference/cross_check.hpp"
 
 int main() {
   porowave::Problem problem;
@@ -27,5 +28,14 @@ int main() {
   const bool sane = std::isfinite(value.effective_stress) && value.effective_stress > -1.0 &&
                     value.effective_stress < 0.0 && error.effective_stress < 1.0e-12;
   if (!sane) std::cerr << "expected a value between -1 and 0 and an error below 1e-12\n";
-  return sane ? 0 : 1;
+
+  // Independent routes to the same values; a smooth load suits all of them.
+  problem.load = porowave::Load(porowave::LoadShape::smooth_ramp, 1.0, 1.0e-5);
+  const auto check = porowave::reference::compare_routes(problem, {0.05}, {4.0e-5});
+  for (const auto& route : check.routes) {
+    std::cout << route.route << " differs by " << route.worst.difference << " of the load\n";
+  }
+  const bool agree = check.agree() && check.compared() == 8;
+  if (!agree) std::cerr << "expected both routes to agree in all four fields\n";
+  return sane && agree ? 0 : 1;
 }
