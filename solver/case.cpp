@@ -38,20 +38,31 @@ void read_shape_transfer(TomlSection& section, Discretization& d) {
   }
 }
 
-void read_mls_transfer(TomlSection& section, Discretization& d) {
-  constexpr auto names = kernel_names();
-  refuse_if(section, "kernel", "gimp", "a B-spline or Wendland kernel");
-  const auto fallback = static_cast<std::size_t>(kernel_name<BSpline2>);
-  d.kernel = KernelName{section.choice_or("kernel", fallback, names)};
-  refuse_if(section, "support_radius", "adaptive", "a number");
+void read_support(TomlSection& section, Discretization& d) {
+  d.support_radius = natural_radius(d.kernel);
+  if (section.is_text("support_radius")) {
+    if (section.text("support_radius") != "adaptive") {
+      section.refuse("support_radius", "a number or \"adaptive\"");
+    }
+    d.adaptive_support = true;
+    return;
+  }
   const Range radius{1.0 / d.points_per_element, static_cast<double>(d.elements)};
-  d.support_radius = section.number_or("support_radius", natural_radius(d.kernel), {});
+  d.support_radius = section.number_or("support_radius", d.support_radius, {});
   if (!radius.contains(d.support_radius)) {
     const auto expected =
         fmt::format("{}: from the point spacing of {:g} to the {} elements of the column",
                     radius.text(), radius.low, d.elements);
     section.refuse("support_radius", expected);
   }
+}
+
+void read_mls_transfer(TomlSection& section, Discretization& d) {
+  constexpr auto names = kernel_names();
+  refuse_if(section, "kernel", "gimp", "a B-spline or Wendland kernel");
+  const auto fallback = static_cast<std::size_t>(kernel_name<BSpline2>);
+  d.kernel = KernelName{section.choice_or("kernel", fallback, names)};
+  read_support(section, d);
   d.basis_order = static_cast<int>(section.integer_or("basis_order", 1, 0, 2));
 }
 
@@ -85,11 +96,9 @@ Discretization read_discretization(const TomlDocument& document, const Problem& 
   d.seed = static_cast<std::uint64_t>(
       section.integer_or("seed", 1, 0, std::numeric_limits<long>::max()));
   d.empty_elements = read_empty_elements(section, problem);
-  refuse_if(section, "strain", "recovered", "\"cell\"");
   refuse_if(section, "scheme", "staggered4", "\"galerkin\"");
-  constexpr std::array<std::string_view, 1> strains = {"cell"};
   constexpr std::array<std::string_view, 1> schemes = {"galerkin"};
-  section.choice_or("strain", 0, strains);
+  d.strain = static_cast<Strain>(section.choice_or("strain", 0, strain_names));
   section.choice_or("scheme", 0, schemes);
   section.done();
   return d;

@@ -35,13 +35,22 @@ constexpr std::string_view name(Placement p) {
   return placement_names[static_cast<std::size_t>(p)];
 }
 
+// Strain rates at the points, with linear shape functions.
+enum class Strain {
+  cell,       // that of the cell (the paper's)
+  recovered,  // interpolated between the middles of cells (strain_recovery.hpp)
+};
+inline constexpr std::array<std::string_view, 2> strain_names = {"cell", "recovered"};
+
 struct Discretization {
   int elements = 100;
   TransferName transfer = TransferName::mls;
   KernelName kernel = kernel_name<BSpline2>;
   double support_radius = natural_radius(kernel_name<BSpline2>);  // in element lengths
-  int basis_order = 1;                                            // 0 to 2
-  int points_per_element = 4;                                     // of each phase
+  bool adaptive_support = false;  // enlarge support_radius where points are too few for the basis
+  int basis_order = 1;            // 0 to 2
+  Strain strain = Strain::cell;
+  int points_per_element = 4;  // of each phase
   Placement placement = Placement::uniform;
   double jitter = 0.5;  // share of the point spacing; for Placement::jittered
   std::uint64_t seed = 1;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
+
+#include "solver/strain_recovery.hpp"
 
 namespace porowave::solver {
 
@@ -60,6 +63,37 @@ Transfer<Dim>::Transfer(const PointSet<Dim>& points, const Grid<Dim>& grid,
   } else {
     build_mls(points, grid, choice);
   }
+  if (choice.strain == Strain::recovered || choice.adaptive_support) {
+    build_shared_strain(points, grid, choice);
+  }
+}
+
+template <int Dim>
+void Transfer<Dim>::build_shared_strain(const PointSet<Dim>& points, const Grid<Dim>& grid,
+                                        const Discretization& choice) {
+  if constexpr (Dim == 1) {
+    const std::vector<bool> reached = reached_cells();
+    std::vector<bool> is_material(cell_count_);
+    for (std::size_t c = 0; c < cell_count_; ++c) {
+      is_material[c] = reached[c] && nodal_mass_[c] > 0.0 && nodal_mass_[c + 1] > 0.0;
+    }
+    const bool recovered = choice.strain == Strain::recovered;
+    strain_rows_ =
+        shared_strain_rows(points.x, grid, is_material,
+                           recovered ? StrainSharing::recovered : StrainSharing::lend_empty);
+  } else if (choice.strain == Strain::recovered) {
+    throw std::invalid_argument("transfer: strains are recovered in one dimension only");
+  }
+}
+
+template <int Dim>
+std::vector<bool> Transfer<Dim>::reached_cells() const {
+  std::vector<bool> reached(cell_count_, false);
+  for (const int cell : cell_of_point_) reached[static_cast<std::size_t>(cell)] = true;
+  for (std::size_t q = 0; q < quadrature_rows_.row_count(); ++q) {
+    reached[q] = quadrature_rows_.row_offsets[q + 1] > quadrature_rows_.row_offsets[q];
+  }
+  return reached;
 }
 
 template <int Dim>
@@ -85,17 +119,21 @@ void Transfer<Dim>::build_shape(const PointSet<Dim>& points, const Grid<Dim>& gr
 template <int Dim>
 void Transfer<Dim>::build_mls(const PointSet<Dim>& points, const Grid<Dim>& grid,
                               const Discretization& choice) {
-  const double radius = choice.support_radius * grid.spacing * (1.0 - support_margin(grid));
+  Support support = choice.support_radius * grid.spacing * (1.0 - support_margin(grid));
+  if (choice.adaptive_support) {
+    support.largest = std::max(support.radius, largest_adaptive_radius * grid.spacing);
+    support.well_conditioned = well_conditioned_limit(choice.basis_order);
+  }
   const auto nodes =
       positions<Dim>(grid.node_count(), [&](int i) { return grid.node_position(i); });
   const auto centres =
       positions<Dim>(grid.cell_count(), [&](int c) { return grid.cell_centre(c); });
   MlsReport report;
-  node_rows_ = mls_rows<Dim>(nodes, points.x, choice.kernel, radius, choice.basis_order, report);
+  node_rows_ = mls_rows<Dim>(nodes, points.x, choice.kernel, support, choice.basis_order, report);
   reduced_rows_ = report.rows_of_reduced_order;
   empty_rows_ = report.rows_without_point;
   quadrature_rows_ =
-      mls_rows<Dim>(centres, points.x, choice.kernel, radius, choice.basis_order, report);
+      mls_rows<Dim>(centres, points.x, choice.kernel, support, choice.basis_order, report);
   reduced_rows_ += report.rows_of_reduced_order;
   empty_rows_ += report.rows_without_point;
   linear_at_quadrature_ = linear_rows<Dim>(centres, grid);
@@ -156,6 +194,7 @@ void Transfer<Dim>::to_points(std::span<const double> nodal_values,
 template <int Dim>
 void Transfer<Dim>::gradient_at_points(std::span<const double> nodal_values, int axis,
                                        std::span<double> point_values) const {
+  if (strain_rows_.row_count() > 0) return multiply(strain_rows_, nodal_values, point_values);
   multiply(linear_at_points_.gradients[static_cast<std::size_t>(axis)], nodal_values, point_values);
 }
 

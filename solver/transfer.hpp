@@ -34,7 +34,8 @@ struct PointSet {
 template <int Dim>
 class Transfer {
  public:
-  // Throws std::invalid_argument for positions that are not finite.
+  // Throws std::invalid_argument for positions that are not finite, and for recovered strains in
+  // more than one dimension.
   Transfer(const PointSet<Dim>& points, const Grid<Dim>& grid, const Discretization& choice);
 
   // Kilograms (per unit area in 1D); zero where no point reaches the node.
@@ -66,7 +67,12 @@ class Transfer {
   void build_shape(const PointSet<Dim>& points, const Grid<Dim>& grid);
   void build_mls(const PointSet<Dim>& points, const Grid<Dim>& grid, const Discretization& choice);
 
+  std::vector<bool> reached_cells() const;  // their stress is known
+  void build_shared_strain(const PointSet<Dim>& points, const Grid<Dim>& grid,
+                           const Discretization& choice);
+
   LinearRows<Dim> linear_at_points_;
+  SparseRows strain_rows_;                // gradients at the points from nodes; empty: ∂N_i
   SparseRows node_rows_;                  // nodes from points
   SparseRows quadrature_rows_;            // quadrature points from points; empty for shape
   LinearRows<Dim> linear_at_quadrature_;  // empty for shape
