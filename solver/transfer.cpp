@@ -4,6 +4,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "solver/apic.hpp"
+#include "solver/shape_functions.hpp"
 #include "solver/strain_recovery.hpp"
 
 namespace porowave::solver {
@@ -51,17 +53,28 @@ std::vector<Vector<Dim>> positions(int count, Position&& position) {
   return x;
 }
 
+// With mls everything but the approximations goes through linear functions.
+ShapeName functions_of(const Discretization& choice) {
+  return choice.transfer == TransferName::mls ? shape_name<LinearSpline> : choice.shape;
+}
+
 }  // namespace
 
 template <int Dim>
 Transfer<Dim>::Transfer(const PointSet<Dim>& points, const Grid<Dim>& grid,
                         const Discretization& choice)
-    : linear_at_points_(linear_rows<Dim>(points.x, grid)),
+    : linear_at_points_(shape_rows<Dim>(points.x, points.domain, grid, functions_of(choice))),
       cell_count_(static_cast<std::size_t>(grid.cell_count())) {
-  if (choice.transfer == TransferName::shape) {
-    build_shape(points, grid);
-  } else {
+  if (choice.transfer == TransferName::mls) {
     build_mls(points, grid, choice);
+  } else {
+    build_shape(points, grid);
+  }
+  if (choice.transfer == TransferName::apic) {
+    affine_mass_ = make_affine<Dim>(points.x, grid, linear_at_points_);
+    for (std::vector<double>& moment : affine_mass_) {
+      for (std::size_t p = 0; p < moment.size(); ++p) moment[p] *= points.mass[p];
+    }
   }
   if (choice.strain == Strain::recovered || choice.adaptive_support) {
     build_shared_strain(points, grid, choice);
@@ -158,6 +171,21 @@ template <int Dim>
 void Transfer<Dim>::to_nodes(std::span<const double> point_values,
                              std::span<double> nodal_values) const {
   multiply(node_rows_, point_values, nodal_values);
+}
+
+template <int Dim>
+void Transfer<Dim>::add_affine(std::span<const double> point_slopes, int axis,
+                               std::span<double> nodal_values) const {
+  const auto a = static_cast<std::size_t>(axis);
+  if (affine_mass_[a].empty()) return;
+  const SparseRows& gradient = linear_at_points_.gradients[a];
+  for (std::size_t p = 0; p < point_slopes.size(); ++p) {
+    const double moment = affine_mass_[a][p] * point_slopes[p];
+    for (std::size_t k = gradient.row_offsets[p]; k < gradient.row_offsets[p + 1]; ++k) {
+      const auto i = static_cast<std::size_t>(gradient.columns[k]);
+      if (nodal_mass_[i] > 0.0) nodal_values[i] += moment * gradient.values[k] / nodal_mass_[i];
+    }
+  }
 }
 
 template <int Dim>
