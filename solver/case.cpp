@@ -1,6 +1,7 @@
 #include "solver/case.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int most_elements = 10'000'000;
 constexpr int most_points_per_element = 1000;
+constexpr int most_xpic_orders = 10;
 
 // A word of the interface that this version does not offer is refused by name.
 void refuse_if(TomlSection& section, std::string_view key, std::string_view word,
@@ -22,36 +24,77 @@ void refuse_if(TomlSection& section, std::string_view key, std::string_view word
   }
 }
 
-void read_shape_transfer(TomlSection& section, Discretization& d) {
-  d.kernel = kernel_name<BSpline1>;
-  d.support_radius = natural_radius(d.kernel);
-  d.basis_order = 0;
-  if (section.has("kernel") && section.text("kernel") != "bspline1") {
-    section.refuse("kernel", "\"bspline1\" with transfer = \"shape\", the linear shape functions");
+template <std::size_t N>
+std::string quoted(const std::array<std::string_view, N>& words) {
+  return fmt::format("\"{}\"", fmt::join(words, "\", \""));
+}
+
+// shape and apic: `allowed` are the words for the shape functions.
+template <std::size_t N>
+void read_shape(TomlSection& section, const char* transfer, std::string_view fallback,
+                const std::array<std::string_view, N>& allowed, Discretization& d) {
+  const std::string word = section.text_or("kernel", std::string(fallback));
+  if (std::find(allowed.begin(), allowed.end(), word) == allowed.end()) {
+    section.refuse("kernel",
+                   fmt::format("one of {} with transfer = \"{}\"", quoted(allowed), transfer));
   }
-  if (section.has("support_radius") &&
-      (section.is_text("support_radius") || section.number("support_radius", {}) != 1.0)) {
-    section.refuse("support_radius", "1 with transfer = \"shape\", which has no other support");
+  d.shape = *shape_from_name(word);
+  d.kernel = kernel_from_name(word).value_or(kernel_name<BSpline1>);
+  d.basis_order = 0;
+  const auto with = fmt::format("with transfer = \"{}\"", transfer);
+  d.support_radius = visit_shape(d.shape, [](auto s) { return decltype(s)::reach(0.0); });
+  if (section.has("support_radius") && (section.is_text("support_radius") ||
+                                        section.number("support_radius", {}) != d.support_radius)) {
+    section.refuse("support_radius",
+                   fmt::format("{:g} {}, which has no other support", d.support_radius, with));
   }
   if (section.has("basis_order")) {
-    section.refuse("basis_order", "no basis_order with transfer = \"shape\", which has no basis");
+    section.refuse("basis_order", fmt::format("no basis_order {}, which has no basis", with));
   }
 }
 
-void read_mls_transfer(TomlSection& section, Discretization& d) {
-  constexpr auto names = kernel_names();
-  refuse_if(section, "kernel", "gimp", "a B-spline or Wendland kernel");
-  const auto fallback = static_cast<std::size_t>(kernel_name<BSpline2>);
-  d.kernel = KernelName{section.choice_or("kernel", fallback, names)};
-  refuse_if(section, "support_radius", "adaptive", "a number");
+void read_strain(TomlSection& section, Discretization& d) {
+  d.strain = static_cast<Strain>(section.choice_or("strain", 0, strain_names));
+  if (d.strain != Strain::recovered) return;
+  if (d.transfer == TransferName::apic) {
+    section.refuse("strain", "\"cell\" with transfer = \"apic\", whose strain is the affine field");
+  }
+  if (d.transfer == TransferName::shape && d.shape != shape_name<LinearSpline>) {
+    section.refuse("strain",
+                   "\"cell\" with shape functions other than \"bspline1\", whose strain "
+                   "is not constant in a cell");
+  }
+}
+
+void read_support(TomlSection& section, Discretization& d) {
+  d.support_radius = natural_radius(d.kernel);
+  if (section.is_text("support_radius")) {
+    if (section.text("support_radius") != "adaptive") {
+      section.refuse("support_radius", "a number or \"adaptive\"");
+    }
+    d.adaptive_support = true;
+    return;
+  }
   const Range radius{1.0 / d.points_per_element, static_cast<double>(d.elements)};
-  d.support_radius = section.number_or("support_radius", natural_radius(d.kernel), {});
+  d.support_radius = section.number_or("support_radius", d.support_radius, {});
   if (!radius.contains(d.support_radius)) {
     const auto expected =
         fmt::format("{}: from the point spacing of {:g} to the {} elements of the column",
                     radius.text(), radius.low, d.elements);
     section.refuse("support_radius", expected);
   }
+}
+
+void read_mls_transfer(TomlSection& section, Discretization& d) {
+  static constexpr auto names = kernel_names();
+  for (const std::string_view word : {"gimp", "cpgimp"}) {
+    if (section.is_text("kernel") && section.text("kernel") == word) {
+      section.refuse("kernel", fmt::format("one of {} with transfer = \"mls\"", quoted(names)));
+    }
+  }
+  const auto fallback = static_cast<std::size_t>(kernel_name<BSpline2>);
+  d.kernel = KernelName{section.choice_or("kernel", fallback, names)};
+  read_support(section, d);
   d.basis_order = static_cast<int>(section.integer_or("basis_order", 1, 0, 2));
 }
 
@@ -69,13 +112,18 @@ Discretization read_discretization(const TomlDocument& document, const Problem& 
       std::min(most_points_per_element, std::numeric_limits<int>::max() / d.elements);
   d.points_per_element = static_cast<int>(
       section.integer_or("points_per_element", d.points_per_element, 1, most_points));
-  refuse_if(section, "transfer", "apic", "\"shape\" or \"mls\"");
-  constexpr std::array<std::string_view, 2> transfers = {"shape", "mls"};
-  d.transfer = static_cast<TransferName>(section.choice_or("transfer", 1, transfers));
-  if (d.transfer == TransferName::shape) {
-    read_shape_transfer(section, d);
-  } else {
-    read_mls_transfer(section, d);
+  d.transfer = static_cast<TransferName>(section.choice_or("transfer", 1, transfer_names));
+  switch (d.transfer) {
+    case TransferName::shape:
+      read_shape(section, "shape", "bspline1", shape_names(), d);
+      break;
+    case TransferName::mls:
+      read_mls_transfer(section, d);
+      break;
+    case TransferName::apic:
+      read_shape(section, "apic", "bspline2",
+                 std::array<std::string_view, 3>{"bspline1", "bspline2", "bspline3"}, d);
+      break;
   }
   d.placement = static_cast<Placement>(section.choice_or("placement", 0, placement_names));
   if (d.placement != Placement::jittered && section.has("jitter")) {
@@ -85,23 +133,40 @@ Discretization read_discretization(const TomlDocument& document, const Problem& 
   d.seed = static_cast<std::uint64_t>(
       section.integer_or("seed", 1, 0, std::numeric_limits<long>::max()));
   d.empty_elements = read_empty_elements(section, problem);
-  refuse_if(section, "strain", "recovered", "\"cell\"");
   refuse_if(section, "scheme", "staggered4", "\"galerkin\"");
-  constexpr std::array<std::string_view, 1> strains = {"cell"};
   constexpr std::array<std::string_view, 1> schemes = {"galerkin"};
-  section.choice_or("strain", 0, strains);
+  read_strain(section, d);
   section.choice_or("scheme", 0, schemes);
   section.done();
   return d;
 }
 
-TimeSettings read_time(const TomlDocument& document) {
+// How velocities go back to the points: flip, or xpic_order, or neither with apic.
+void read_velocity_update(TomlSection& section, TransferName transfer, TimeSettings& time) {
+  if (transfer == TransferName::apic) {
+    for (const char* key : {"flip", "xpic_order"}) {
+      if (section.has(key)) {
+        section.refuse(key, fmt::format("no {} with transfer = \"apic\", whose points take the "
+                                        "velocity of the nodes and its gradient",
+                                        key));
+      }
+    }
+    time.flip = 0.0;
+    return;
+  }
+  time.flip = section.number_or("flip", time.flip, Range::between(0.0, 1.0));
+  if (!section.has("xpic_order")) return;
+  time.xpic_order = static_cast<int>(section.integer("xpic_order", 1, most_xpic_orders));
+  if (section.has("flip")) section.refuse("flip", "no flip with xpic_order, which takes its place");
+}
+
+TimeSettings read_time(const TomlDocument& document, TransferName transfer) {
   auto section = document.section("time");
   TimeSettings time;
   time.end = section.number("end", Range::positive());
   refuse_if(section, "courant", "auto", "a number > 0 and <= 1");
   time.courant = section.number_or("courant", time.courant, Range{0.0, 1.0, true, false});
-  time.flip = section.number_or("flip", time.flip, Range::between(0.0, 1.0));
+  read_velocity_update(section, transfer, time);
   refuse_if(section, "path", "frozen", "\"auto\" or \"points\"");
   constexpr std::array<std::string_view, 2> paths = {"auto", "points"};
   section.choice_or("path", 0, paths);
@@ -114,7 +179,12 @@ TimeSettings read_time(const TomlDocument& document) {
 Case read_case(const TomlDocument& document) {
   document.only({"material", "column", "load", "discretization", "time"});
   const Problem problem = read_problem(document);
-  return {problem, read_discretization(document, problem), read_time(document)};
+  const Discretization discretization = read_discretization(document, problem);
+  return {problem, discretization, read_time(document, discretization.transfer)};
+}
+
+std::string_view kernel_word(const Discretization& d) {
+  return d.transfer == TransferName::mls ? to_string(d.kernel) : to_string(d.shape);
 }
 
 Case load_case(const std::string& path) {

@@ -10,6 +10,7 @@
 
 #include "reference/problem/problem.hpp"
 #include "solver/kernel.hpp"
+#include "solver/shape_functions.hpp"
 
 namespace porowave {
 class TomlDocument;
@@ -18,9 +19,11 @@ class TomlDocument;
 namespace porowave::solver {
 
 enum class TransferName {
-  shape,  // the grid's linear shape functions (Sulsky, Chen & Schreyer 1994)
+  shape,  // the grid's shape functions (Sulsky, Chen & Schreyer 1994)
   mls,    // moving least squares (Sulsky & Gong 2016; Chmelnizkij 2023)
+  apic,   // affine velocities and MLS-MPM forces on shape functions (Hu et al. 2018)
 };
+inline constexpr std::array<std::string_view, 3> transfer_names = {"shape", "mls", "apic"};
 
 // Where the points of a phase start. n points a cell means n per cell and phase in the mean.
 enum class Placement {
@@ -35,13 +38,23 @@ constexpr std::string_view name(Placement p) {
   return placement_names[static_cast<std::size_t>(p)];
 }
 
+// Strain rates at the points, with linear shape functions.
+enum class Strain {
+  cell,       // that of the cell (the paper's)
+  recovered,  // interpolated between the middles of cells (strain_recovery.hpp)
+};
+inline constexpr std::array<std::string_view, 2> strain_names = {"cell", "recovered"};
+
 struct Discretization {
   int elements = 100;
   TransferName transfer = TransferName::mls;
-  KernelName kernel = kernel_name<BSpline2>;
+  ShapeName shape = ShapeName{};              // for shape and apic; linear functions else
+  KernelName kernel = kernel_name<BSpline2>;  // for mls
   double support_radius = natural_radius(kernel_name<BSpline2>);  // in element lengths
-  int basis_order = 1;                                            // 0 to 2
-  int points_per_element = 4;                                     // of each phase
+  bool adaptive_support = false;  // enlarge support_radius where points are too few for the basis
+  int basis_order = 1;            // 0 to 2
+  Strain strain = Strain::cell;
+  int points_per_element = 4;  // of each phase
   Placement placement = Placement::uniform;
   double jitter = 0.5;  // share of the point spacing; for Placement::jittered
   std::uint64_t seed = 1;
@@ -52,7 +65,11 @@ struct TimeSettings {
   double end = 0.0;      // s
   double courant = 0.5;  // c_1 Δt/h
   double flip = 1.0;     // 1 FLIP ... 0 PIC
+  int xpic_order = 0;    // 1 to 10: XPIC of that order instead of flip (velocity_noise.hpp)
 };
+
+// The word for the weighting in a case file, of whatever transfer.
+std::string_view kernel_word(const Discretization& discretization);
 
 struct Case {
   Problem problem;

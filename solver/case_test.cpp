@@ -82,6 +82,15 @@ BOOST_AUTO_TEST_CASE(every_word_of_the_interface_means_what_it_says) {
     BOOST_TEST(scene.discretization.basis_order == order);
   }
   BOOST_TEST(message_for(with("path = \"points\"", "path = \"auto\"")) == "no error");
+  BOOST_CHECK(read(full).discretization.strain == Strain::cell);
+  BOOST_CHECK(read(with("\"cell\"", "\"recovered\"")).discretization.strain == Strain::recovered);
+}
+
+BOOST_AUTO_TEST_CASE(an_adaptive_support_starts_from_the_natural_one) {
+  BOOST_TEST(!read(full).discretization.adaptive_support);
+  const Discretization d = read(with("2.75", "\"adaptive\"")).discretization;
+  BOOST_TEST(d.adaptive_support);
+  BOOST_TEST(d.support_radius == 2.0);
 }
 
 BOOST_AUTO_TEST_CASE(ends_of_ranges_belong_to_them) {

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "reference/problem/errors.hpp"
+#include "solver/particle_domain.hpp"
+#include "solver/velocity_noise.hpp"
 
 namespace porowave::solver {
 
@@ -58,8 +60,10 @@ ColumnSolver::PhaseState ColumnSolver::start(const Discretization& choice, doubl
     state.points.mass.push_back(density * placed.volume[p]);
   }
   state.points.volume = placed.volume;
+  state.points.domain = placed.volume;
   state.velocity.assign(placed.x.size(), 0.0);
   state.stress.assign(placed.x.size(), 0.0);
+  if (choice.transfer == TransferName::apic) state.velocity_gradient = state.stress;
   return state;
 }
 
@@ -115,6 +119,11 @@ void ColumnSolver::make_weights() {
 }
 
 void ColumnSolver::move_points() {
+  if (convects_domains(scene_.discretization.shape)) {
+    for (PhaseState* state : {&solid_, &fluid_}) {
+      stretch_domains(*state->transfer, solid_displacement_, state->points.domain);
+    }
+  }
   for (auto [state, displacement] :
        {std::pair(&solid_, &solid_displacement_), std::pair(&fluid_, &fluid_displacement_)}) {
     at_points_.resize(state->velocity.size());
@@ -129,6 +138,8 @@ void ColumnSolver::nodal_velocities_and_forces() {
   const double nf = scene_.problem.material.porosity;
   solid_.transfer->to_nodes(solid_.velocity, solid_nodes_.velocity);
   fluid_.transfer->to_nodes(fluid_.velocity, fluid_nodes_.velocity);
+  solid_.transfer->add_affine(solid_.velocity_gradient, 0, solid_nodes_.velocity);
+  fluid_.transfer->add_affine(fluid_.velocity_gradient, 0, fluid_nodes_.velocity);
   solid_.transfer->to_quadrature(solid_.stress, solid_.quadrature);
   fluid_.transfer->to_quadrature(fluid_.stress, fluid_.quadrature);
   std::fill(solid_nodes_.force.begin(), solid_nodes_.force.end(), 0.0);
@@ -164,6 +175,13 @@ void ColumnSolver::update_points() {
       largest = std::max(largest, std::abs((*displacement)[i]));
     }
     at_points_.resize(state->velocity.size());
+    if (scene_.time.xpic_order > 0) {
+      remove_velocity_noise(*state->transfer, scene_.time.xpic_order, nodes->velocity,
+                            state->velocity);
+    }
+    if (!state->velocity_gradient.empty()) {
+      state->transfer->gradient_at_points(nodes->new_velocity, 0, state->velocity_gradient);
+    }
     state->transfer->to_points(increment_, at_points_);
     for (std::size_t p = 0; p < at_points_.size(); ++p) {
       state->velocity[p] = flip * state->velocity[p] + at_points_[p];

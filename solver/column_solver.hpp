@@ -85,6 +85,7 @@ class ColumnSolver {
     PointSet<1> points;
     std::vector<double> velocity;
     std::vector<double> stress;
+    std::vector<double> velocity_gradient;        // C_p of apic, 1/s; else empty
     std::shared_ptr<const Transfer<1>> transfer;  // shared by copies, never changed
     std::vector<double> quadrature;               // stress or pressure there
   };

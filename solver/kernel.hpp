@@ -3,8 +3,8 @@
 // Weighting kernels w(r): their value and gradient for an offset vector, and the table that turns
 // the name in a study file into a compile-time type.
 //
-// To add a kernel: write kernels/<name>.hpp in the shape of kernels/bspline1.hpp, include it below
-// and add its type to `Kernels`. Nothing else changes; the tests run over the table.
+// To add a kernel: copy kernels/kernel_skeleton.hpp, include it below and add its type to
+// `Kernels`. Nothing else changes; the tests run over the table.
 
 #include <array>
 #include <cmath>

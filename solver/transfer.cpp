@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
+
+#include "solver/apic.hpp"
+#include "solver/shape_functions.hpp"
+#include "solver/strain_recovery.hpp"
 
 namespace porowave::solver {
 
@@ -48,18 +53,60 @@ std::vector<Vector<Dim>> positions(int count, Position&& position) {
   return x;
 }
 
+// With mls everything but the approximations goes through linear functions.
+ShapeName functions_of(const Discretization& choice) {
+  return choice.transfer == TransferName::mls ? shape_name<LinearSpline> : choice.shape;
+}
+
 }  // namespace
 
 template <int Dim>
 Transfer<Dim>::Transfer(const PointSet<Dim>& points, const Grid<Dim>& grid,
                         const Discretization& choice)
-    : linear_at_points_(linear_rows<Dim>(points.x, grid)),
+    : linear_at_points_(shape_rows<Dim>(points.x, points.domain, grid, functions_of(choice))),
       cell_count_(static_cast<std::size_t>(grid.cell_count())) {
-  if (choice.transfer == TransferName::shape) {
-    build_shape(points, grid);
-  } else {
+  if (choice.transfer == TransferName::mls) {
     build_mls(points, grid, choice);
+  } else {
+    build_shape(points, grid);
   }
+  if (choice.transfer == TransferName::apic) {
+    affine_mass_ = make_affine<Dim>(points.x, grid, linear_at_points_);
+    for (std::vector<double>& moment : affine_mass_) {
+      for (std::size_t p = 0; p < moment.size(); ++p) moment[p] *= points.mass[p];
+    }
+  }
+  if (choice.strain == Strain::recovered || choice.adaptive_support) {
+    build_shared_strain(points, grid, choice);
+  }
+}
+
+template <int Dim>
+void Transfer<Dim>::build_shared_strain(const PointSet<Dim>& points, const Grid<Dim>& grid,
+                                        const Discretization& choice) {
+  if constexpr (Dim == 1) {
+    const std::vector<bool> reached = reached_cells();
+    std::vector<bool> is_material(cell_count_);
+    for (std::size_t c = 0; c < cell_count_; ++c) {
+      is_material[c] = reached[c] && nodal_mass_[c] > 0.0 && nodal_mass_[c + 1] > 0.0;
+    }
+    const bool recovered = choice.strain == Strain::recovered;
+    strain_rows_ =
+        shared_strain_rows(points.x, grid, is_material,
+                           recovered ? StrainSharing::recovered : StrainSharing::lend_empty);
+  } else if (choice.strain == Strain::recovered) {
+    throw std::invalid_argument("transfer: strains are recovered in one dimension only");
+  }
+}
+
+template <int Dim>
+std::vector<bool> Transfer<Dim>::reached_cells() const {
+  std::vector<bool> reached(cell_count_, false);
+  for (const int cell : cell_of_point_) reached[static_cast<std::size_t>(cell)] = true;
+  for (std::size_t q = 0; q < quadrature_rows_.row_count(); ++q) {
+    reached[q] = quadrature_rows_.row_offsets[q + 1] > quadrature_rows_.row_offsets[q];
+  }
+  return reached;
 }
 
 template <int Dim>
@@ -85,17 +132,21 @@ void Transfer<Dim>::build_shape(const PointSet<Dim>& points, const Grid<Dim>& gr
 template <int Dim>
 void Transfer<Dim>::build_mls(const PointSet<Dim>& points, const Grid<Dim>& grid,
                               const Discretization& choice) {
-  const double radius = choice.support_radius * grid.spacing * (1.0 - support_margin(grid));
+  Support support = choice.support_radius * grid.spacing * (1.0 - support_margin(grid));
+  if (choice.adaptive_support) {
+    support.largest = std::max(support.radius, largest_adaptive_radius * grid.spacing);
+    support.well_conditioned = well_conditioned_limit(choice.basis_order);
+  }
   const auto nodes =
       positions<Dim>(grid.node_count(), [&](int i) { return grid.node_position(i); });
   const auto centres =
       positions<Dim>(grid.cell_count(), [&](int c) { return grid.cell_centre(c); });
   MlsReport report;
-  node_rows_ = mls_rows<Dim>(nodes, points.x, choice.kernel, radius, choice.basis_order, report);
+  node_rows_ = mls_rows<Dim>(nodes, points.x, choice.kernel, support, choice.basis_order, report);
   reduced_rows_ = report.rows_of_reduced_order;
   empty_rows_ = report.rows_without_point;
   quadrature_rows_ =
-      mls_rows<Dim>(centres, points.x, choice.kernel, radius, choice.basis_order, report);
+      mls_rows<Dim>(centres, points.x, choice.kernel, support, choice.basis_order, report);
   reduced_rows_ += report.rows_of_reduced_order;
   empty_rows_ += report.rows_without_point;
   linear_at_quadrature_ = linear_rows<Dim>(centres, grid);
@@ -120,6 +171,21 @@ template <int Dim>
 void Transfer<Dim>::to_nodes(std::span<const double> point_values,
                              std::span<double> nodal_values) const {
   multiply(node_rows_, point_values, nodal_values);
+}
+
+template <int Dim>
+void Transfer<Dim>::add_affine(std::span<const double> point_slopes, int axis,
+                               std::span<double> nodal_values) const {
+  const auto a = static_cast<std::size_t>(axis);
+  if (affine_mass_[a].empty()) return;
+  const SparseRows& gradient = linear_at_points_.gradients[a];
+  for (std::size_t p = 0; p < point_slopes.size(); ++p) {
+    const double moment = affine_mass_[a][p] * point_slopes[p];
+    for (std::size_t k = gradient.row_offsets[p]; k < gradient.row_offsets[p + 1]; ++k) {
+      const auto i = static_cast<std::size_t>(gradient.columns[k]);
+      if (nodal_mass_[i] > 0.0) nodal_values[i] += moment * gradient.values[k] / nodal_mass_[i];
+    }
+  }
 }
 
 template <int Dim>
@@ -156,6 +222,7 @@ void Transfer<Dim>::to_points(std::span<const double> nodal_values,
 template <int Dim>
 void Transfer<Dim>::gradient_at_points(std::span<const double> nodal_values, int axis,
                                        std::span<double> point_values) const {
+  if (strain_rows_.row_count() > 0) return multiply(strain_rows_, nodal_values, point_values);
   multiply(linear_at_points_.gradients[static_cast<std::size_t>(axis)], nodal_values, point_values);
 }
 

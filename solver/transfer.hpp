@@ -12,9 +12,12 @@
 //           Φ_p(x_i) = m_p N_i(x_p)/m_i, m_i = Σ_p m_p N_i(x_p)           (Sulsky et al. 1994)
 //   mls     quadrature points are the cell middles, Φ_p moving least squares, ρ as well: its nodal
 //           value times the volume of the node                             (Chmelnizkij 2023)
+//   apic    as shape, but every point carries the gradient C_p of its velocity as well, and
+//           gradients of N_i are replaced by those of a local linear fit (apic.hpp)
 //
 // A node that no point reaches has mass zero; a cell middle that none reaches has s = 0 (vacuum).
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -29,12 +32,14 @@ struct PointSet {
   std::vector<Vector<Dim>> x;
   std::vector<double> volume;
   std::vector<double> mass;
+  std::vector<double> domain = {};  // edge of the domain of gimp and cpgimp; may else be empty
 };
 
 template <int Dim>
 class Transfer {
  public:
-  // Throws std::invalid_argument for positions that are not finite.
+  // Throws std::invalid_argument for positions that are not finite, and for recovered strains in
+  // more than one dimension.
   Transfer(const PointSet<Dim>& points, const Grid<Dim>& grid, const Discretization& choice);
 
   // Kilograms (per unit area in 1D); zero where no point reaches the node.
@@ -44,6 +49,9 @@ class Transfer {
 
   // v_i from v_p; zero where no point reaches the node.
   void to_nodes(std::span<const double> point_values, std::span<double> nodal_values) const;
+  // For apic: adds what the gradients C_p along an axis contribute to v_i. No effect otherwise.
+  void add_affine(std::span<const double> point_slopes, int axis,
+                  std::span<double> nodal_values) const;
   // s at the quadrature points from s_p.
   void to_quadrature(std::span<const double> point_values, std::vector<double>& values) const;
   // Adds factor * Σ_q w_q ∂N_i/∂x_axis(x_q) s(x_q) to f_i.
@@ -66,11 +74,17 @@ class Transfer {
   void build_shape(const PointSet<Dim>& points, const Grid<Dim>& grid);
   void build_mls(const PointSet<Dim>& points, const Grid<Dim>& grid, const Discretization& choice);
 
-  LinearRows<Dim> linear_at_points_;
+  std::vector<bool> reached_cells() const;  // their stress is known
+  void build_shared_strain(const PointSet<Dim>& points, const Grid<Dim>& grid,
+                           const Discretization& choice);
+
+  LinearRows<Dim> linear_at_points_;      // or of the shape functions chosen
+  SparseRows strain_rows_;                // gradients at the points from nodes; empty: ∂N_i
   SparseRows node_rows_;                  // nodes from points
   SparseRows quadrature_rows_;            // quadrature points from points; empty for shape
   LinearRows<Dim> linear_at_quadrature_;  // empty for shape
   std::vector<double> quadrature_weight_;
+  std::array<std::vector<double>, Dim> affine_mass_;  // m_p D_p for apic, else empty
   std::vector<double> nodal_mass_;
   std::vector<double> nodal_volume_;
   std::vector<int> cell_of_point_;  // shape only

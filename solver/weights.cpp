@@ -34,33 +34,41 @@ decltype(auto) visit_order(int order, F&& f) {
   }
 }
 
-void record(const MlsResult& result, int basis_order, MlsReport& report) {
+void record(const MlsResult& result, int basis_order, double radius, const Support& support,
+            MlsReport& report) {
   report.order_used.push_back(static_cast<std::int8_t>(result.order_used));
   if (result.order_used < 0) {
     ++report.rows_without_point;
   } else if (result.order_used < basis_order) {
     ++report.rows_of_reduced_order;
   }
+  if (radius > support.radius) ++report.rows_of_enlarged_support;
+  if (result.order_used >= 0) report.largest_radius = std::max(report.largest_radius, radius);
   report.worst_condition = std::max(report.worst_condition, result.condition);
 }
 
 template <class Kernel, int Dim, int Order>
 void append_mls_rows(std::span<const Vector<Dim>> evaluation_points, const CellList<Dim>& cells,
-                     double support_radius, double max_condition, SparseRows& rows,
+                     const Support& support, double max_condition, SparseRows& rows,
                      MlsReport& report) {
-  const MovingLeastSquares<Kernel, Dim, Order> mls(support_radius, max_condition);
   std::vector<std::int32_t> found;
   std::vector<Vector<Dim>> positions;
   std::vector<double> phi;
   for (const Vector<Dim>& x : evaluation_points) {
-    found.clear();
-    positions.clear();
-    cells.for_each_in_box(x, support_radius, [&](std::int32_t p, const Vector<Dim>& xp) {
-      found.push_back(p);
-      positions.push_back(xp);
+    MlsResult result;
+    const double reach = grow_support(support, Order, [&](double radius) {
+      found.clear();
+      positions.clear();
+      cells.for_each_in_box(x, radius, [&](std::int32_t p, const Vector<Dim>& xp) {
+        found.push_back(p);
+        positions.push_back(xp);
+      });
+      phi.resize(found.size());
+      const MovingLeastSquares<Kernel, Dim, Order> mls(radius, max_condition);
+      result = mls.evaluate(x, positions, phi);
+      return result;
     });
-    phi.resize(found.size());
-    record(mls.evaluate(x, positions, phi), Order, report);
+    record(result, Order, reach, support, report);
     for (std::size_t k = 0; k < phi.size(); ++k) {
       if (phi[k] == 0.0) continue;  // in the box, but outside the support
       rows.columns.push_back(found[k]);
@@ -96,10 +104,14 @@ void multiply_transposed(const SparseRows& rows, std::span<const double> in,
 
 template <int Dim>
 SparseRows mls_rows(std::span<const Vector<Dim>> evaluation_points,
-                    std::span<const Vector<Dim>> points, KernelName kernel, double support_radius,
+                    std::span<const Vector<Dim>> points, KernelName kernel, const Support& support,
                     int basis_order, MlsReport& report, double max_condition) {
-  if (!(support_radius > 0.0) || !std::isfinite(support_radius)) {
+  if (!(support.radius > 0.0) || !std::isfinite(support.largest)) {
     throw std::invalid_argument("moving least squares: support radius must be positive and finite");
+  }
+  if (!(support.largest >= support.radius) || !(support.well_conditioned >= 1.0)) {
+    throw std::invalid_argument(
+        "moving least squares: an adaptive support must grow, to a condition of at least 1");
   }
   if (!(max_condition > 1.0)) {
     throw std::invalid_argument("moving least squares: the condition limit must exceed 1");
@@ -110,11 +122,11 @@ SparseRows mls_rows(std::span<const Vector<Dim>> evaluation_points,
   report = {};
   SparseRows rows;
   rows.column_count = points.size();
-  const CellList<Dim> cells(points, grid_around<Dim>(points, support_radius));
+  const CellList<Dim> cells(points, grid_around<Dim>(points, support.radius));
   visit_kernel(kernel, [&]<class Kernel>(Kernel) {
     visit_order(basis_order, [&]<int Order>(std::integral_constant<int, Order>) {
-      append_mls_rows<Kernel, Dim, Order>(evaluation_points, cells, support_radius, max_condition,
-                                          rows, report);
+      append_mls_rows<Kernel, Dim, Order>(evaluation_points, cells, support, max_condition, rows,
+                                          report);
     });
   });
   return rows;
@@ -147,13 +159,13 @@ LinearRows<Dim> linear_rows(std::span<const Vector<Dim>> points, const Grid<Dim>
 }
 
 template SparseRows mls_rows<1>(std::span<const Vector<1>>, std::span<const Vector<1>>, KernelName,
-                                double, int, MlsReport&, double);
+                                const Support&, int, MlsReport&, double);
 template LinearRows<1> linear_rows<1>(std::span<const Vector<1>>, const Grid<1>&);
 template SparseRows mls_rows<2>(std::span<const Vector<2>>, std::span<const Vector<2>>, KernelName,
-                                double, int, MlsReport&, double);
+                                const Support&, int, MlsReport&, double);
 template LinearRows<2> linear_rows<2>(std::span<const Vector<2>>, const Grid<2>&);
 template SparseRows mls_rows<3>(std::span<const Vector<3>>, std::span<const Vector<3>>, KernelName,
-                                double, int, MlsReport&, double);
+                                const Support&, int, MlsReport&, double);
 template LinearRows<3> linear_rows<3>(std::span<const Vector<3>>, const Grid<3>&);
 
 }  // namespace porowave::solver

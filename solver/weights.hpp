@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "solver/adaptive_support.hpp"
 #include "solver/grid.hpp"
 #include "solver/kernel.hpp"
 #include "solver/mls.hpp"
@@ -41,17 +42,19 @@ struct MlsReport {
   std::size_t rows_of_reduced_order = 0;  // 0 <= order used < order asked for
   std::size_t rows_without_point = 0;     // empty rows: every product is zero there, which is no
                                           // approximation; the caller must decide
-  double worst_condition = 0.0;           // over the rows with points, at the order used; >= 1
-  std::vector<std::int8_t> order_used;    // per row; -1 without a point
+  std::size_t rows_of_enlarged_support = 0;
+  double largest_radius = 0.0;          // over the rows with points, in the unit of coordinates
+  double worst_condition = 0.0;         // over the rows with points, at the order used; >= 1
+  std::vector<std::int8_t> order_used;  // per row; -1 without a point
 };
 
 // Φ_p at the evaluation points. Entries of a row are in the order of the cell list, zeros are
-// left out. support_radius (> 0) in the unit of the coordinates (not in h);
-// 0 <= basis_order <= 3. `report` is overwritten.
+// left out. Radii of the support in the unit of the coordinates (not in h); a number is a fixed
+// support of that radius. 0 <= basis_order <= 3. `report` is overwritten.
 // Throws std::invalid_argument for arguments out of range and positions that are not finite.
 template <int Dim>
 SparseRows mls_rows(std::span<const Vector<Dim>> evaluation_points,
-                    std::span<const Vector<Dim>> points, KernelName kernel, double support_radius,
+                    std::span<const Vector<Dim>> points, KernelName kernel, const Support& support,
                     int basis_order, MlsReport& report,
                     double max_condition = default_max_condition);
 
