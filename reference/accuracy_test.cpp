@@ -25,11 +25,21 @@ struct Worst {
   }
 };
 
+/// The Ricker wavelet starts and ends with a jump of 3.7e-17, which both routes leave out; what a
+/// slow wave makes of it as velocity, in shares of the load, is this many times as large.
+double slow_wave_factor(const Problem& problem) {
+  const Material& m = problem.material;
+  return m.mixture_density() * m.undrained_speed() /
+         (std::min(m.solid_partial_density(), m.fluid_partial_density()) * wave_speeds(m).p2);
+}
+
 struct Tally {
   std::mutex lock;
-  Worst error;  ///< share of the load; where the bound holds no jump
-  Worst ratio;  ///< error over bound
-  Worst slack;  ///< bound over error, of errors above 1e-13
+  Worst error;     ///< share of the load; where the bound holds no jump
+  Worst moderate;  ///< the same, of values below 100 times the load
+  Worst relative;  ///< share of the value, where that is more than 100 times the load
+  Worst ratio;     ///< error over bound
+  Worst slack;     ///< bound over error, of errors above 1e-13
   int points = 0;
   int moving = 0;      ///< where a wave has arrived
   int on_front = 0;    ///< where the bound holds a jump
@@ -66,6 +76,8 @@ void compare(int number, const fixtures::RandomPoint& point, Tally& tally) {
   const auto value = shares(point.problem, main.value);
   const auto bound = shares(point.problem, main.error);
   const auto truth = shares(point.problem, exact.value);
+  const bool ricker = point.problem.load.shape() == LoadShape::ricker;
+  const double cut = ricker ? 4e-17 * slow_wave_factor(point.problem) : 0.0;
   const std::string where = description(number, point);
   const std::lock_guard<std::mutex> guard(tally.lock);
   ++tally.points;
@@ -76,8 +88,11 @@ void compare(int number, const fixtures::RandomPoint& point, Tally& tally) {
   const bool on_front = std::max({bound[0], bound[1], bound[2], bound[3]}) > jump;
   if (on_front) ++tally.on_front;
   for (std::size_t f = 0; f < 4; ++f) {
-    const double error = std::max(0.0, std::abs(value[f] - truth[f]) - exact.agreement);
+    const double error = std::max(0.0, std::abs(value[f] - truth[f]) - exact.agreement - cut);
     tally.error.see(error, where);
+    const double size = std::abs(truth[f]);
+    if (size < 100.0) tally.moderate.see(error, where);
+    if (size >= 100.0) tally.relative.see(error / size, where);
     if (error > 0.0) tally.ratio.see(error / bound[f], where);
     if (!(error > 1e-13) || on_front) continue;
     ++tally.large;
@@ -116,7 +131,10 @@ BOOST_AUTO_TEST_CASE(random_points_of_the_whole_range_are_right_to_1e_12_and_wit
   BOOST_TEST(tally.unresolved == 0);
   BOOST_TEST(tally.unknown <= count / 200);
   BOOST_TEST(tally.moving > count / 2);
-  BOOST_TEST(tally.error.size <= 1e-12);
+  // On a very soft skeleton velocities are thousands of times the scale that errors are judged by:
+  // doubles themselves are then more than 1e-12 of it apart.
+  BOOST_TEST(tally.moderate.size <= 1e-12);
+  BOOST_TEST(tally.relative.size <= 1e-14);
   BOOST_TEST(tally.ratio.size < 1.0);
   // Seldom: a tenth of such values, of which there are few in a short run.
   BOOST_TEST(10 * tally.loose <= tally.large + 20);
@@ -124,6 +142,10 @@ BOOST_AUTO_TEST_CASE(random_points_of_the_whole_range_are_right_to_1e_12_and_wit
                                   << tally.on_front << " on a front), " << tally.unresolved
                                   << " unresolved, " << tally.unknown << " not known to 15 digits");
   BOOST_TEST_MESSAGE("worst error " << tally.error.size << " of the load: " << tally.error.where);
+  BOOST_TEST_MESSAGE("of values below 100 times the load " << tally.moderate.size << ": "
+                                                           << tally.moderate.where);
+  BOOST_TEST_MESSAGE("of larger values, relative to the value " << tally.relative.size << ": "
+                                                                << tally.relative.where);
   BOOST_TEST_MESSAGE("worst error/bound " << tally.ratio.size << ": " << tally.ratio.where);
   BOOST_TEST_MESSAGE("errors above 1e-13: " << tally.large << " values, bound more than 100 times "
                                             << "above " << tally.loose << " of them; worst "

@@ -25,7 +25,7 @@ constexpr int most_halvings = 24;
 /// Places, as shares of a piece from either end, where the series is compared with the solution:
 /// layers thinner than the distance of the roots are not seen in its coefficients.
 constexpr std::array<double, 4> trials = {0.0007, 0.021, 0.973, 0.9991};
-constexpr std::array<unsigned, 3> degrees = {16, 32, 64};
+constexpr std::array<unsigned, 4> degrees = {12, 20, 36, 64};
 
 /// Chebyshev coefficients from values at the n roots cos((j + 1/2) pi/n).
 std::vector<FourValues> coefficients_of(const std::vector<FourValues>& values) {
