@@ -164,7 +164,6 @@ BOOST_AUTO_TEST_CASE(choices_that_this_version_has_not) {
   refused("discretization", "kernel", "\"gimp\"");
   refused("discretization", "support_radius", "\"adaptive\"");
   refused("discretization", "strain", "\"recovered\"");
-  refused("discretization", "scheme", "\"staggered4\"");
   refused("time", "path", "\"frozen\"");
 }
 

@@ -35,13 +35,19 @@ constexpr std::string_view name(Placement p) {
   return placement_names[static_cast<std::size_t>(p)];
 }
 
+enum class Scheme {
+  galerkin,    // the weak form on the grid, by one of the transfers (the paper's)
+  staggered4,  // collocation on a staggered grid, of fourth order (staggered/staggered_solver.hpp)
+};
+
 struct Discretization {
+  Scheme scheme = Scheme::galerkin;
   int elements = 100;
   TransferName transfer = TransferName::mls;
   KernelName kernel = kernel_name<BSpline2>;
   double support_radius = natural_radius(kernel_name<BSpline2>);  // in element lengths
-  int basis_order = 1;                                            // 0 to 2
-  int points_per_element = 4;                                     // of each phase
+  int basis_order = 1;         // 0 to 2; 2 or 3 for Scheme::staggered4
+  int points_per_element = 4;  // of each phase
   Placement placement = Placement::uniform;
   double jitter = 0.5;  // share of the point spacing; for Placement::jittered
   std::uint64_t seed = 1;
