@@ -135,6 +135,13 @@ TimeSettings read_time(const TomlDocument& document, Scheme scheme) {
   refuse_if(section, "courant", "auto", "a number > 0 and <= 1");
   time.courant = section.number_or("courant", time.courant, Range{0.0, 1.0, true, false});
   time.flip = section.number_or("flip", time.flip, Range::between(0.0, 1.0));
+  if (section.has("time_order")) {
+    if (scheme != Scheme::staggered4) {
+      section.refuse("time_order", "no time_order unless scheme = \"staggered4\"");
+    }
+    time.order = static_cast<int>(section.integer_or("time_order", 2, 2, 4));
+    if (time.order == 3) section.refuse("time_order", "2 or 4");
+  }
   if (scheme == Scheme::staggered4) {
     if (time.flip != 1.0) section.refuse("flip", "1 with scheme = \"staggered4\"");
     if (section.is_text("path") && section.text("path") == "points") {

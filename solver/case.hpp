@@ -58,6 +58,7 @@ struct TimeSettings {
   double end = 0.0;      // s
   double courant = 0.5;  // c_1 Δt/h
   double flip = 1.0;     // 1 FLIP ... 0 PIC
+  int order = 2;         // of the time step: 2, or 4 with Scheme::staggered4
 };
 
 struct Case {

@@ -228,7 +228,7 @@ BOOST_AUTO_TEST_CASE(unknown_keys_and_tables_are_refused_with_a_suggestion) {
              "case.toml:36: [time] courrant = 0.25: unknown key; did you mean courant?");
   BOOST_TEST(refusal("courant = 0.25", "tolerance_of_all = 1") ==
              "case.toml:36: [time] tolerance_of_all = 1: unknown key; expected one of courant, "
-             "end, flip, path");
+             "end, flip, path, time_order");
   BOOST_TEST(refusal("[time]", "[tiem]") ==
              "case.toml:34: [tiem]: unknown table; did you mean time?");
   BOOST_TEST(refusal("[material]", "speed = 1\n[material]")

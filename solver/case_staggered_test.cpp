@@ -27,6 +27,7 @@ BOOST_AUTO_TEST_CASE(it_has_its_own_defaults) {
   const Discretization cubic = read(staggered("basis_order = 3")).discretization;
   BOOST_TEST(cubic.basis_order == 3);
   BOOST_TEST(cubic.support_radius == 2.5);
+  BOOST_TEST(read(staggered("")).time.order == 2);
   BOOST_CHECK(read(least).discretization.scheme == Scheme::galerkin);
 }
 
@@ -37,6 +38,7 @@ BOOST_AUTO_TEST_CASE(what_fits_it_is_taken) {
   BOOST_TEST(to_string(d.kernel) == "bspline3");
   BOOST_TEST(d.support_radius == 3.0);
   BOOST_TEST(read(staggered("support_radius = \"adaptive\"")).discretization.support_radius == 2.0);
+  BOOST_TEST(read(staggered("", "time_order = 4\n")).time.order == 4);
   BOOST_TEST(message_for(staggered("", "flip = 1.0\npath = \"auto\"\n")) == "no error");
 }
 
@@ -54,6 +56,11 @@ BOOST_AUTO_TEST_CASE(what_does_not_belong_to_it_is_refused) {
   refused("support_radius = \"natural\"", "a number >= 1 and <= 8");
   BOOST_TEST(message_for(with("elements = 200", "elements = 7", staggered(""))) ==
              "case.toml:22: [discretization] elements = 7: expected at least 8" + with_scheme);
+  BOOST_TEST(message_for(staggered("", "time_order = 3\n")) ==
+             "case.toml:26: [time] time_order = 3: expected 2 or 4");
+  BOOST_TEST(
+      message_for(least + "time_order = 4\n")
+          .ends_with("time_order = 4: expected no time_order unless scheme = \"staggered4\""));
   BOOST_TEST(message_for(staggered("", "flip = 0.5\n")) ==
              "case.toml:26: [time] flip = 0.5: expected 1" + with_scheme);
   BOOST_TEST(message_for(staggered("", "path = \"points\"\n")) ==

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace porowave::solver {
@@ -23,55 +22,6 @@ constexpr std::size_t window_growth = 64;
 long step_count(const Case& scene, double spacing) {
   const double stable = scene.time.courant * spacing / wave_speeds(scene.problem.material).p1;
   return std::max(1L, std::lround(std::ceil(scene.time.end / stable * (1.0 - 1e-12))));
-}
-
-// (1 − e^−z)/z for z >= 0
-double phi_1(double z) {
-  return z > 1e-8 ? -std::expm1(-z) / z : 1.0 - 0.5 * z;
-}
-
-// The increments of both velocities at a free node are linear in the forces per volume and in the
-// relative velocity w = v_f − v_s: the sum of momenta gets the sum of forces, w gets
-// Δw = w (e^−θ − 1) + dt φ_1(θ) (f_f/ρ_f − f_s/ρ_s), the exact drag for constant forces.
-struct FreeKick {
-  double solid_by_solid, solid_by_fluid, solid_by_relative;
-  double fluid_by_solid, fluid_by_fluid, fluid_by_relative;
-
-  FreeKick(const Material& m, double dt) {
-    const double solid = m.solid_partial_density();
-    const double fluid = m.fluid_partial_density();
-    const double share = fluid / (solid + fluid);
-    const double theta = m.relaxation_rate() * dt;
-    const double gain = dt * phi_1(theta);
-    const double common = dt / (solid + fluid);
-    solid_by_solid = common + share * gain / solid;
-    solid_by_fluid = common - share * gain / fluid;
-    solid_by_relative = -share * std::expm1(-theta);
-    fluid_by_solid = common - (1.0 - share) * gain / solid;
-    fluid_by_fluid = common + (1.0 - share) * gain / fluid;
-    fluid_by_relative = (1.0 - share) * std::expm1(-theta);
-  }
-};
-
-struct MovedPhase {
-  const double* __restrict force;
-  double* __restrict velocity;
-  double* __restrict sum;
-};
-
-void kick_free_nodes(const FreeKick& k, const MovedPhase& s, const MovedPhase& f, std::size_t first,
-                     std::size_t end) {
-  for (std::size_t i = first; i < end; ++i) {
-    const double w = f.velocity[i] - s.velocity[i];
-    const double ds =
-        k.solid_by_solid * s.force[i] + k.solid_by_fluid * f.force[i] + k.solid_by_relative * w;
-    const double df =
-        k.fluid_by_solid * s.force[i] + k.fluid_by_fluid * f.force[i] + k.fluid_by_relative * w;
-    s.velocity[i] += ds;
-    f.velocity[i] += df;
-    s.sum[i] += ds;
-    f.sum[i] += df;
-  }
 }
 
 std::optional<Breakdown> worst_of(const std::vector<double>& values, double limit,
@@ -105,11 +55,12 @@ StaggeredSolver::StaggeredSolver(const Case& scene)
       steps_(step_count(scene, spacing_)),
       solid_(scene, Phase::solid, spacing_),
       fluid_(scene, Phase::fluid, spacing_),
-      end_(std::min(cells_ + 1, window_growth)) {
+      end_(std::min(cells_ + 1, window_growth)),
+      update_(scene.problem, scene.time.end / static_cast<double>(steps_)) {
   dt_ = scene.time.end / static_cast<double>(steps_);
-  for (auto* values : {&forces_.solid, &forces_.fluid, &solid_slopes_, &fluid_slopes_}) {
-    values->assign(cells_ + 1, 0.0);
-  }
+  if (scene.time.order == 4) correction_.emplace(scene.problem, dt_, cells_ + 1);
+  for (auto* values : {&forces_, &increments_, &scratch_, &slopes_}) values->assign(cells_ + 1);
+  stress_rates_.assign(cells_ + 2);
 }
 
 void StaggeredSolver::prescribe_stresses(std::vector<double>& effective_stress,
@@ -136,71 +87,94 @@ void StaggeredSolver::reconstruct() {
   fluid_.reconstruct(end_);
 }
 
-void StaggeredSolver::find_forces() {
-  solid_.stress_slopes(solid_.stress, solid_slopes_, end_);
-  fluid_.stress_slopes(fluid_.stress, fluid_slopes_, end_);
+void StaggeredSolver::find_forces(const std::vector<double>& effective_stress,
+                                  const std::vector<double>& pressure, BothPhases& forces) {
+  solid_.stress_slopes(effective_stress, slopes_.solid, end_);
+  fluid_.stress_slopes(pressure, slopes_.fluid, end_);
   const double ns = scene_.problem.material.solid_fraction();
   const double nf = scene_.problem.material.porosity;
   for (std::size_t i = 0; i < end_; ++i) {
-    forces_.solid[i] = solid_slopes_[i] - ns * fluid_slopes_[i];
-    forces_.fluid[i] = -nf * fluid_slopes_[i];
+    forces.solid[i] = slopes_.solid[i] - ns * slopes_.fluid[i];
+    forces.fluid[i] = -nf * slopes_.fluid[i];
   }
 }
 
-void StaggeredSolver::kick(const StepLoad& load, double dt) {
-  prescribe_stresses(solid_.stress, fluid_.stress, load.mean);
-  find_forces();
-  const auto moved = [](const std::vector<double>& force, PhaseLines& lines) {
-    return MovedPhase{force.data(), lines.velocity.data(), lines.velocity_sum.data()};
+void StaggeredSolver::find_stress_rates(const std::vector<double>& solid,
+                                        const std::vector<double>& fluid) {
+  const Material& m = scene_.problem.material;
+  const std::size_t cells = std::min(end_, cells_);
+  solid_.velocity_slopes(solid, slopes_.solid, cells);
+  fluid_.velocity_slopes(fluid, slopes_.fluid, cells);
+  const double elastic = m.constrained_modulus;
+  const double by_solid = m.storage_modulus() * m.solid_fraction();
+  const double by_fluid = m.storage_modulus() * m.porosity;
+  for (std::size_t c = 0; c < cells; ++c) {
+    stress_rates_.solid[c + 1] = elastic * slopes_.solid[c];
+    stress_rates_.fluid[c + 1] = -by_solid * slopes_.solid[c] - by_fluid * slopes_.fluid[c];
+  }
+}
+
+void StaggeredSolver::kick(StepPart part) {
+  const Load& load = scene_.problem.load;
+  const bool whole = part == StepPart::whole;
+  const double before = time() - 0.5 * dt_;
+  const double after = whole ? time() + 0.5 * dt_ : time();
+  // The correction of half a step starts from the force of now.
+  const double traction = whole || !correction_ ? load.mean(before, after) : load.value(after);
+  prescribe_stresses(solid_.stress, fluid_.stress, traction);
+  find_forces(solid_.stress, fluid_.stress, forces_);
+  if (correction_) correct_forces(part);
+  const auto find_increments = [&](const VelocityUpdate& update) {
+    update.find_increments(forces_, {traction, load.value(before), load.value(after)}, end_,
+                           solid_.velocity, fluid_.velocity, increments_);
   };
-  kick_free_nodes(FreeKick(scene_.problem.material, dt), moved(forces_.solid, solid_),
-                  moved(forces_.fluid, fluid_), 1, std::min(end_, cells_));
-  kick_ends(load, dt);
+  if (whole) {
+    find_increments(update_);
+  } else {
+    find_increments(VelocityUpdate(scene_.problem, 0.5 * dt_));
+  }
+  for (std::size_t i = 0; i < end_; ++i) {
+    solid_.velocity[i] += increments_.solid[i];
+    fluid_.velocity[i] += increments_.fluid[i];
+    solid_.velocity_sum[i] += increments_.solid[i];
+    fluid_.velocity_sum[i] += increments_.fluid[i];
+  }
 }
 
-// The two ends as a grid of two nodes of unit volume. A traction already is in the forces.
-void StaggeredSolver::kick_ends(const StepLoad& load, double dt) {
-  const std::array<std::size_t, 2> nodes{0, cells_};
-  PhaseNodes s;
-  PhaseNodes f;
-  s.resize(2);
-  f.resize(2);
-  for (std::size_t e = 0; e < 2; ++e) {
-    s.mass[e] = scene_.problem.material.solid_partial_density();
-    f.mass[e] = scene_.problem.material.fluid_partial_density();
-    s.volume[e] = f.volume[e] = 1.0;
-    s.velocity[e] = solid_.velocity[nodes[e]];
-    f.velocity[e] = fluid_.velocity[nodes[e]];
-    s.force[e] = forces_.solid[nodes[e]];
-    f.force[e] = forces_.fluid[nodes[e]];
-  }
-  update_nodes(scene_.problem, {0.0, load.before, load.after}, dt, s, f);
-  for (std::size_t e = 0; e < 2; ++e) {
-    solid_.velocity[nodes[e]] = s.new_velocity[e];
-    fluid_.velocity[nodes[e]] = f.new_velocity[e];
-    solid_.velocity_sum[nodes[e]] += s.new_velocity[e] - s.velocity[e];
-    fluid_.velocity_sum[nodes[e]] += f.new_velocity[e] - f.velocity[e];
-  }
+void StaggeredSolver::correct_forces(StepPart part) {
+  const Load& load = scene_.problem.load;
+  const StepLoad step{0.0, load.value(time() - 0.5 * dt_), load.value(time() + 0.5 * dt_)};
+  update_.find_increments(forces_, step, end_, solid_.velocity, fluid_.velocity, increments_);
+  find_stress_rates(increments_.solid, increments_.fluid);
+  // The mean of a traction has its second derivative already.
+  prescribe_stresses(stress_rates_.solid, stress_rates_.fluid, 0.0);
+  find_forces(stress_rates_.solid, stress_rates_.fluid, scratch_);
+  correction_->correct(forces_, scratch_, part, end_);
 }
 
 void StaggeredSolver::drift() {
-  const Material& m = scene_.problem.material;
+  find_stress_rates(solid_.velocity, fluid_.velocity);
+  if (correction_) correct_stress_rates();
   const std::size_t cells = std::min(end_, cells_);
-  solid_.velocity_slopes(solid_.velocity, solid_slopes_, cells);
-  fluid_.velocity_slopes(fluid_.velocity, fluid_slopes_, cells);
-  const double elastic = dt_ * m.constrained_modulus;
-  const double by_solid = dt_ * m.storage_modulus() * m.solid_fraction();
-  const double by_fluid = dt_ * m.storage_modulus() * m.porosity;
-  double* effective_stress = solid_.stress_sum.data() + 1;
-  double* pressure = fluid_.stress_sum.data() + 1;
-  for (std::size_t c = 0; c < cells; ++c) {
-    effective_stress[c] += elastic * solid_slopes_[c];
-    pressure[c] -= by_solid * solid_slopes_[c] + by_fluid * fluid_slopes_[c];
+  for (std::size_t c = 1; c <= cells; ++c) {
+    solid_.stress_sum[c] += dt_ * stress_rates_.solid[c];
+    fluid_.stress_sum[c] += dt_ * stress_rates_.fluid[c];
   }
   for (std::size_t i = 0; i < end_; ++i) {
     solid_.displacement[i] += dt_ * solid_.velocity[i];
     fluid_.displacement[i] += dt_ * fluid_.velocity[i];
   }
+}
+
+void StaggeredSolver::correct_stress_rates() {
+  const Load& load = scene_.problem.load;
+  const double after = time() + dt_;
+  prescribe_stresses(stress_rates_.solid, stress_rates_.fluid,
+                     (load.value(after) - load.value(time())) / dt_);
+  find_forces(stress_rates_.solid, stress_rates_.fluid, correction_->force_rates);
+  correction_->find_mean_velocities(solid_.velocity, fluid_.velocity, increments_,
+                                    load.mean(time(), after), end_, scratch_);
+  find_stress_rates(scratch_.solid, scratch_.fluid);
 }
 
 void StaggeredSolver::widen_window() {
@@ -218,11 +192,8 @@ void StaggeredSolver::widen_window() {
 }
 
 void StaggeredSolver::step() {
-  const Load& load = scene_.problem.load;
-  const double before = time() - 0.5 * dt_;
-  const double after = time() + 0.5 * dt_;
   reconstruct();
-  kick({load.mean(before, after), load.value(before), load.value(after)}, dt_);
+  kick(StepPart::whole);
   drift();
   widen_window();
   ++step_;
@@ -253,11 +224,7 @@ std::optional<Breakdown> StaggeredSolver::run() {
 Snapshot StaggeredSolver::snapshot() const {
   StaggeredSolver now(*this);
   now.reconstruct();
-  if (step_ > 0) {
-    const Load& load = scene_.problem.load;
-    const double before = time() - 0.5 * dt_;
-    now.kick({load.mean(before, time()), load.value(before), load.value(time())}, 0.5 * dt_);
-  }
+  if (step_ > 0) now.kick(StepPart::first_half);
   const auto cells_of = [](const std::vector<double>& stress) {
     return std::vector<double>(stress.begin() + 1, stress.end() - 1);
   };
