@@ -13,7 +13,7 @@ namespace {
 /// Integral of a function without errors of its own.
 template <class Function>
 Bounded integral(Function&& f, const std::vector<double>& ends) {
-  return adaptive_integral([&](double t) { return Bounded{f(t), 0.0}; }, ends);
+  return porowave::reference::adaptive_integral([&](double t) { return Bounded{f(t), 0.0}; }, ends);
 }
 
 void check(const Bounded& integral, double expected) {
@@ -23,7 +23,7 @@ void check(const Bounded& integral, double expected) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(adaptive_integral_suite)
+BOOST_AUTO_TEST_SUITE(adaptive_integral)
 
 BOOST_AUTO_TEST_CASE(known_integrals_are_found_within_their_errors) {
   check(integral([](double t) { return std::exp(t); }, {0.0, 1.0}), std::numbers::e - 1.0);
@@ -37,7 +37,11 @@ BOOST_AUTO_TEST_CASE(known_integrals_are_found_within_their_errors) {
 
 BOOST_AUTO_TEST_CASE(errors_of_the_values_enter) {
   const std::vector<double> ends = {1.0, 3.0};
-  const Bounded rough = adaptive_integral([](double t) { return Bounded{t, 1e-3}; }, ends);
+  const Bounded rough = porowave::reference::adaptive_integral(
+      [](double t) {
+        return Bounded{t, 1e-3};
+      },
+      ends);
   BOOST_TEST(std::abs(rough.value - 4.0) < 1e-12);
   BOOST_TEST(rough.error > 2e-3);
   BOOST_TEST(rough.error < 1e-2);
@@ -52,7 +56,7 @@ BOOST_AUTO_TEST_CASE(rounding_of_the_values_is_not_chased) {
     ++calls;
     return Bounded{t + 1e-7 * std::sin(1e9 * t), 1e-7};
   };
-  const Bounded found = adaptive_integral(noisy, ends);
+  const Bounded found = porowave::reference::adaptive_integral(noisy, ends);
   BOOST_TEST(std::abs(found.value - 0.5) <= found.error);
   BOOST_TEST(calls < 200);
 }

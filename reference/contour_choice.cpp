@@ -60,7 +60,7 @@ class Search {
       worse = height < best.height ? 0 : worse + 1;
       if (height < best.height) best = {contour, *cut, height};
       // Beyond the saddle the integrand only grows.
-      if (worse >= 2 && best.height < bearable) break;
+      if (worse >= 4 && best.height < bearable) break;
     }
     return best;
   }

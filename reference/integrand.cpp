@@ -10,7 +10,7 @@ namespace {
 
 /// A mode may carry little of a field because two parts of it cancel; their rounding stays. It is
 /// counted as this many units of rounding of a full wave.
-constexpr double cancelled = 8.0;
+constexpr double cancelled = 12.0;
 
 std::vector<Arrival> by_crossings(std::vector<Arrival> arrivals) {
   std::stable_sort(arrivals.begin(), arrivals.end(), [](const Arrival& a, const Arrival& b) {
@@ -70,8 +70,8 @@ class Amplification {
   Amplification(Complex s, const ModeState& modes)
       : s_(size_of(s)), excess_{size_of(modes.excess[0]), size_of(modes.excess[1])} {}
   double of(const Arrival& a) const {
-    return 8.0 +
-           4.0 * (s_ * std::abs(a.since) + excess_[0] * a.ray.path[0] + excess_[1] * a.ray.path[1]);
+    return 12.0 +
+           6.0 * (s_ * std::abs(a.since) + excess_[0] * a.ray.path[0] + excess_[1] * a.ray.path[1]);
   }
 
  private:

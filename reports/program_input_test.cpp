@@ -160,7 +160,6 @@ BOOST_AUTO_TEST_CASE(choices_that_this_version_has_not) {
     }
     check_line(text, table, line, missing);
   };
-  refused("discretization", "scheme", "\"staggered4\"");
   refused("time", "path", "\"frozen\"");
 }
 

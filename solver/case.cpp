@@ -15,6 +15,7 @@ namespace {
 constexpr int most_elements = 10'000'000;
 constexpr int most_points_per_element = 1000;
 constexpr int most_xpic_orders = 10;
+constexpr int fewest_staggered_elements = 8;
 
 // A word of the interface that this version does not offer is refused by name.
 void refuse_if(TomlSection& section, std::string_view key, std::string_view word,
@@ -98,6 +99,48 @@ void read_mls_transfer(TomlSection& section, Discretization& d) {
   d.basis_order = static_cast<int>(section.integer_or("basis_order", 1, 0, 2));
 }
 
+void read_galerkin_scheme(TomlSection& section, Discretization& d) {
+  d.transfer = static_cast<TransferName>(section.choice_or("transfer", 1, transfer_names));
+  switch (d.transfer) {
+    case TransferName::shape:
+      read_shape(section, "shape", "bspline1", shape_names(), d);
+      break;
+    case TransferName::mls:
+      read_mls_transfer(section, d);
+      break;
+    case TransferName::apic:
+      read_shape(section, "apic", "bspline2",
+                 std::array<std::string_view, 3>{"bspline1", "bspline2", "bspline3"}, d);
+      break;
+  }
+  read_strain(section, d);
+}
+
+// The support of staggered4 always adapts: what a case may give is where it starts.
+void read_staggered_scheme(TomlSection& section, Discretization& d) {
+  const auto of_scheme = [](std::string_view what) {
+    return fmt::format("{} with scheme = \"staggered4\"", what);
+  };
+  if (section.has("transfer") && section.text("transfer") != "mls") {
+    section.refuse("transfer", of_scheme("\"mls\""));
+  }
+  if (section.has("strain")) section.refuse("strain", of_scheme("no strain"));
+  if (d.elements < fewest_staggered_elements) {
+    section.refuse("elements", of_scheme(fmt::format("at least {}", fewest_staggered_elements)));
+  }
+  constexpr auto names = kernel_names();
+  refuse_if(section, "kernel", "gimp", "a B-spline or Wendland kernel");
+  const auto fallback = static_cast<std::size_t>(kernel_name<WendlandC2>);
+  d.transfer = TransferName::mls;
+  d.kernel = KernelName{section.choice_or("kernel", fallback, names)};
+  d.basis_order = static_cast<int>(section.integer_or("basis_order", 2, 2, 3));
+  // Cubics want a little more: with radius 2 and four random points a cell some runs blow up.
+  d.support_radius = d.basis_order == 3 ? 2.5 : 2.0;
+  if (section.is_text("support_radius") && section.text("support_radius") == "adaptive") return;
+  d.support_radius =
+      section.number_or("support_radius", d.support_radius, Range::between(1.0, 8.0));
+}
+
 std::vector<double> read_empty_elements(TomlSection& section, const Problem& problem) {
   const double length = problem.column.length.value_or(std::numeric_limits<double>::infinity());
   return section.numbers_or("empty_elements", {}, Range::between(0.0, length));
@@ -112,18 +155,12 @@ Discretization read_discretization(const TomlDocument& document, const Problem& 
       std::min(most_points_per_element, std::numeric_limits<int>::max() / d.elements);
   d.points_per_element = static_cast<int>(
       section.integer_or("points_per_element", d.points_per_element, 1, most_points));
-  d.transfer = static_cast<TransferName>(section.choice_or("transfer", 1, transfer_names));
-  switch (d.transfer) {
-    case TransferName::shape:
-      read_shape(section, "shape", "bspline1", shape_names(), d);
-      break;
-    case TransferName::mls:
-      read_mls_transfer(section, d);
-      break;
-    case TransferName::apic:
-      read_shape(section, "apic", "bspline2",
-                 std::array<std::string_view, 3>{"bspline1", "bspline2", "bspline3"}, d);
-      break;
+  constexpr std::array<std::string_view, 2> schemes = {"galerkin", "staggered4"};
+  d.scheme = static_cast<Scheme>(section.choice_or("scheme", 0, schemes));
+  if (d.scheme == Scheme::staggered4) {
+    read_staggered_scheme(section, d);
+  } else {
+    read_galerkin_scheme(section, d);
   }
   d.placement = static_cast<Placement>(section.choice_or("placement", 0, placement_names));
   if (d.placement != Placement::jittered && section.has("jitter")) {
@@ -133,10 +170,6 @@ Discretization read_discretization(const TomlDocument& document, const Problem& 
   d.seed = static_cast<std::uint64_t>(
       section.integer_or("seed", 1, 0, std::numeric_limits<long>::max()));
   d.empty_elements = read_empty_elements(section, problem);
-  refuse_if(section, "scheme", "staggered4", "\"galerkin\"");
-  constexpr std::array<std::string_view, 1> schemes = {"galerkin"};
-  read_strain(section, d);
-  section.choice_or("scheme", 0, schemes);
   section.done();
   return d;
 }
@@ -160,13 +193,33 @@ void read_velocity_update(TomlSection& section, TransferName transfer, TimeSetti
   if (section.has("flip")) section.refuse("flip", "no flip with xpic_order, which takes its place");
 }
 
-TimeSettings read_time(const TomlDocument& document, TransferName transfer) {
+// Order of the time step, and what scheme = "staggered4" leaves no choice in.
+void read_time_order(TomlSection& section, Scheme scheme, TimeSettings& time) {
+  if (section.has("time_order")) {
+    if (scheme != Scheme::staggered4) {
+      section.refuse("time_order", "no time_order unless scheme = \"staggered4\"");
+    }
+    time.order = static_cast<int>(section.integer_or("time_order", 2, 2, 4));
+    if (time.order == 3) section.refuse("time_order", "2 or 4");
+  }
+  if (scheme != Scheme::staggered4) return;
+  if (time.flip != 1.0) section.refuse("flip", "1 with scheme = \"staggered4\"");
+  if (section.has("xpic_order")) {
+    section.refuse("xpic_order", "no xpic_order with scheme = \"staggered4\"");
+  }
+  if (section.is_text("path") && section.text("path") == "points") {
+    section.refuse("path", "\"auto\" with scheme = \"staggered4\", which eliminates the points");
+  }
+}
+
+TimeSettings read_time(const TomlDocument& document, const Discretization& discretization) {
   auto section = document.section("time");
   TimeSettings time;
   time.end = section.number("end", Range::positive());
   refuse_if(section, "courant", "auto", "a number > 0 and <= 1");
   time.courant = section.number_or("courant", time.courant, Range{0.0, 1.0, true, false});
-  read_velocity_update(section, transfer, time);
+  read_velocity_update(section, discretization.transfer, time);
+  read_time_order(section, discretization.scheme, time);
   refuse_if(section, "path", "frozen", "\"auto\" or \"points\"");
   constexpr std::array<std::string_view, 2> paths = {"auto", "points"};
   section.choice_or("path", 0, paths);
@@ -180,7 +233,7 @@ Case read_case(const TomlDocument& document) {
   document.only({"material", "column", "load", "discretization", "time"});
   const Problem problem = read_problem(document);
   const Discretization discretization = read_discretization(document, problem);
-  return {problem, discretization, read_time(document, discretization.transfer)};
+  return {problem, discretization, read_time(document, discretization)};
 }
 
 std::string_view kernel_word(const Discretization& d) {

@@ -45,14 +45,20 @@ enum class Strain {
 };
 inline constexpr std::array<std::string_view, 2> strain_names = {"cell", "recovered"};
 
+enum class Scheme {
+  galerkin,    // the weak form on the grid, by one of the transfers (the paper's)
+  staggered4,  // collocation on a staggered grid, of fourth order (staggered/staggered_solver.hpp)
+};
+
 struct Discretization {
+  Scheme scheme = Scheme::galerkin;
   int elements = 100;
   TransferName transfer = TransferName::mls;
   ShapeName shape = ShapeName{};              // for shape and apic; linear functions else
   KernelName kernel = kernel_name<BSpline2>;  // for mls
   double support_radius = natural_radius(kernel_name<BSpline2>);  // in element lengths
   bool adaptive_support = false;  // enlarge support_radius where points are too few for the basis
-  int basis_order = 1;            // 0 to 2
+  int basis_order = 1;            // 0 to 2; 2 or 3 for Scheme::staggered4
   Strain strain = Strain::cell;
   int points_per_element = 4;  // of each phase
   Placement placement = Placement::uniform;
@@ -66,6 +72,7 @@ struct TimeSettings {
   double courant = 0.5;  // c_1 Δt/h
   double flip = 1.0;     // 1 FLIP ... 0 PIC
   int xpic_order = 0;    // 1 to 10: XPIC of that order instead of flip (velocity_noise.hpp)
+  int order = 2;         // of the time step: 2, or 4 with Scheme::staggered4
 };
 
 // The word for the weighting in a case file, of whatever transfer.

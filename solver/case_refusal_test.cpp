@@ -147,7 +147,8 @@ BOOST_AUTO_TEST_CASE(unknown_words_are_refused_with_the_known_ones) {
              "case.toml:31: [discretization] strain = \"nodal average\": expected one of cell, "
              "recovered");
   BOOST_TEST(refusal("\"galerkin\"", "\"collocation\"") ==
-             "case.toml:32: [discretization] scheme = \"collocation\": expected one of galerkin");
+             "case.toml:32: [discretization] scheme = \"collocation\": expected one of galerkin, "
+             "staggered4");
   BOOST_TEST(refusal("\"points\"", "\"quick and dirty\"") ==
              "case.toml:38: [time] path = \"quick and dirty\": expected one of auto, points");
 }
@@ -156,9 +157,6 @@ BOOST_AUTO_TEST_CASE(what_this_version_does_not_have_is_refused_by_name) {
   const auto absent = [](const std::string& word) {
     return ": \"" + word + "\" is not available in this version";
   };
-  BOOST_TEST(refusal("\"galerkin\"", "\"staggered4\"") ==
-             "case.toml:32: [discretization] scheme = \"staggered4\": expected \"galerkin\"" +
-                 absent("staggered4"));
   BOOST_TEST(refusal("courant = 0.25", "courant = \"auto\"") ==
              "case.toml:36: [time] courant = \"auto\": expected a number > 0 and <= 1" +
                  absent("auto"));
@@ -218,7 +216,7 @@ BOOST_AUTO_TEST_CASE(unknown_keys_and_tables_are_refused_with_a_suggestion) {
              "case.toml:36: [time] courrant = 0.25: unknown key; did you mean courant?");
   BOOST_TEST(refusal("courant = 0.25", "tolerance_of_all = 1") ==
              "case.toml:36: [time] tolerance_of_all = 1: unknown key; expected one of courant, "
-             "end, flip, path, xpic_order");
+             "end, flip, path, time_order, xpic_order");
   BOOST_TEST(refusal("[time]", "[tiem]") ==
              "case.toml:34: [tiem]: unknown table; did you mean time?");
   BOOST_TEST(refusal("[material]", "speed = 1\n[material]")

@@ -9,6 +9,7 @@
 #include <ctime>
 
 #include "reference/problem/errors.hpp"
+#include "solver/staggered/staggered_solver.hpp"
 
 namespace porowave::verification {
 
@@ -44,10 +45,14 @@ std::shared_ptr<const reference::Profile> reference_profile(const solver::Case& 
   return profile;
 }
 
-RunResult run_case(const solver::Case& scene, const reference::Profile& profile) {
+namespace {
+
+/// Everything but the errors.
+template <class Solver>
+RunResult run_with(const solver::Case& scene) {
   const auto wall = std::chrono::steady_clock::now();
   const double cpu = thread_cpu_seconds();
-  solver::ColumnSolver solver(scene);
+  Solver solver(scene);
   RunResult result;
   result.breakdown = solver.run();
   result.cost.cpu_seconds = thread_cpu_seconds() - cpu;
@@ -59,6 +64,15 @@ RunResult run_case(const solver::Case& scene, const reference::Profile& profile)
   result.points = solver.point_count();
   result.reduced_rows = solver.reduced_rows();
   result.empty_rows = solver.empty_rows();
+  return result;
+}
+
+}  // namespace
+
+RunResult run_case(const solver::Case& scene, const reference::Profile& profile) {
+  RunResult result = scene.discretization.scheme == solver::Scheme::staggered4
+                         ? run_with<solver::StaggeredSolver>(scene)
+                         : run_with<solver::ColumnSolver>(scene);
   result.reference_error = profile.error();
   for (const double stress : result.snapshot.solid.stress) {
     const double strain = std::abs(stress) / scene.problem.material.constrained_modulus;
