@@ -50,6 +50,8 @@ class Search {
     const double age = integrand_.longest_age();
     const double size = std::max(modes_.relaxation_rate(), std::abs(modes_.branch_point()));
     ContourChoice best{{}, WaveModes::Cut::between, std::numeric_limits<double>::infinity()};
+    // With stiff drag the height may rise before it falls to the saddle.
+    const int patience = age * size > 50.0 ? 4 : 2;
     int worse = 0;
     for (double distance = 0.25 / age; distance < std::max(32.0 / age, 4.0 * size);
          distance *= 2.0) {
@@ -60,7 +62,7 @@ class Search {
       worse = height < best.height ? 0 : worse + 1;
       if (height < best.height) best = {contour, *cut, height};
       // Beyond the saddle the integrand only grows.
-      if (worse >= 4 && best.height < bearable) break;
+      if (worse >= patience && best.height < bearable) break;
     }
     return best;
   }

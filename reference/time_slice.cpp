@@ -18,6 +18,8 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double arrival_rounding = 8.0 * epsilon;
 /// A bound as small as this share of the load is as good as any.
 constexpr double good_enough = 1e-13;
+/// A contour on which a bound was larger than this serves no other point.
+constexpr double worth_sharing = 1e-11;
 constexpr int most_splits = 6;
 constexpr std::size_t most_known = 12;
 constexpr std::size_t most_attempts = 3;
@@ -129,7 +131,7 @@ Inverted TimeSlice::by_contour(const ArrivalGroup& group, Integrand& integrand) 
     ++attempts;
     const Inverted result = invert(integrand, known->table, uncertainty_);
     if (result.worst < best.worst) best = result;
-    if (result.worst <= std::max(reachable, 1.5 * known->worst)) {
+    if (result.worst <= std::max(reachable, 1.5 * known->worst) && result.worst <= worth_sharing) {
       known_.splice(known_.begin(), known_, known);
       return best;
     }
