@@ -16,6 +16,7 @@
 // A node that no point reaches has mass zero; a cell middle that none reaches has s = 0 (vacuum).
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "solver/case.hpp"
@@ -29,6 +30,12 @@ struct PointSet {
   std::vector<Vector<Dim>> x;
   std::vector<double> volume;
   std::vector<double> mass;
+};
+
+// Φ as sparse rows, columns are the points. `to_quadrature` is empty for shape.
+struct TransferRows {
+  SparseRows to_nodes;
+  SparseRows to_quadrature;
 };
 
 template <int Dim>
@@ -61,6 +68,9 @@ class Transfer {
   // Evaluations of moving least squares that had to lower the order; and those without any point.
   std::size_t reduced_rows() const { return reduced_rows_; }
   std::size_t empty_rows() const { return empty_rows_; }
+
+  // Hands the rows over to a faster form of the same operators.
+  TransferRows take_rows() && { return {std::move(node_rows_), std::move(quadrature_rows_)}; }
 
  private:
   void build_shape(const PointSet<Dim>& points, const Grid<Dim>& grid);
