@@ -165,7 +165,6 @@ BOOST_AUTO_TEST_CASE(choices_that_this_version_has_not) {
   refused("discretization", "support_radius", "\"adaptive\"");
   refused("discretization", "strain", "\"recovered\"");
   refused("discretization", "scheme", "\"staggered4\"");
-  refused("time", "path", "\"frozen\"");
 }
 
 BOOST_AUTO_TEST_CASE(keys_that_do_not_belong_together) {

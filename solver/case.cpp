@@ -102,9 +102,7 @@ TimeSettings read_time(const TomlDocument& document) {
   refuse_if(section, "courant", "auto", "a number > 0 and <= 1");
   time.courant = section.number_or("courant", time.courant, Range{0.0, 1.0, true, false});
   time.flip = section.number_or("flip", time.flip, Range::between(0.0, 1.0));
-  refuse_if(section, "path", "frozen", "\"auto\" or \"points\"");
-  constexpr std::array<std::string_view, 2> paths = {"auto", "points"};
-  section.choice_or("path", 0, paths);
+  time.path = static_cast<StepPath>(section.choice_or("path", 0, path_names));
   section.done();
   return time;
 }

@@ -48,10 +48,22 @@ struct Discretization {
   std::vector<double> empty_elements;  // x in m; the elements around them have no points
 };
 
+// How a step is made; the results are the same to rounding.
+enum class StepPath {
+  automatic,  // frozen for as long as that is possible, then points
+  points,     // every step visits the points
+  frozen,     // points eliminated; a run in which they move too far for that is ended
+};
+inline constexpr std::array<std::string_view, 3> path_names = {"auto", "points", "frozen"};
+constexpr std::string_view name(StepPath p) {
+  return path_names[static_cast<std::size_t>(p)];
+}
+
 struct TimeSettings {
   double end = 0.0;      // s
   double courant = 0.5;  // c_1 Δt/h
   double flip = 1.0;     // 1 FLIP ... 0 PIC
+  StepPath path = StepPath::automatic;
 };
 
 struct Case {
