@@ -74,10 +74,7 @@ TomlDocument TomlDocument::parse(std::string_view text, const std::string& path)
     throw InputError(
         fmt::format("{}:{}: not TOML: {}", path, error.source().begin.line, error.description()));
   }
-  TomlDocument document;
-  document.path_ = path;
-  document.impl_ = std::move(impl);
-  return document;
+  return TomlDocument(path, std::move(impl));
 }
 
 TomlSection TomlDocument::section(std::string name) const {
@@ -104,18 +101,22 @@ std::vector<TomlSection> TomlDocument::sections(const std::string& name) const {
   return sections;
 }
 
-TomlDocument TomlDocument::with(const std::string& section, const std::string& key,
-                                const TomlValue& value) const {
-  auto changed = std::make_shared<Impl>(*impl_);
-  // Messages keep naming lines of the file: a copied node does not know its own.
+std::shared_ptr<TomlDocument::Impl> TomlDocument::copy_with_lines() const {
+  auto copy = std::make_shared<Impl>(*impl_);
   for (const auto& [name, node] : impl_->table) {
     const auto* table = node.as_table();
-    if (!table || !impl_->lines.empty()) continue;
-    for (const auto& [word, entry] : *table) {
+    if (!table) continue;
+    for (const auto& [key, entry] : *table) {
       const int line = static_cast<int>(entry.source().begin.line);
-      if (line > 0) changed->lines[fmt::format("{}.{}", name.str(), word.str())] = line;
+      if (line > 0) copy->lines[fmt::format("{}.{}", name.str(), key.str())] = line;
     }
   }
+  return copy;
+}
+
+TomlDocument TomlDocument::with(const std::string& section, const std::string& key,
+                                const TomlValue& value) const {
+  auto changed = impl_->lines.empty() ? copy_with_lines() : std::make_shared<Impl>(*impl_);
   auto* table = changed->table[section].as_table();
   if (!table) {
     changed->table.insert_or_assign(section, toml::table());
@@ -134,10 +135,13 @@ TomlDocument TomlDocument::with(const std::string& section, const std::string& k
       },
       value.value);
   changed->lines[fmt::format("{}.{}", section, key)] = value.line;
-  TomlDocument document;
-  document.path_ = path_;
-  document.impl_ = std::move(changed);
-  return document;
+  return TomlDocument(path_, std::move(changed));
+}
+
+TomlDocument TomlDocument::without(std::initializer_list<std::string_view> names) const {
+  auto changed = copy_with_lines();
+  for (const std::string_view name : names) changed->table.erase(name);
+  return TomlDocument(path_, std::move(changed));
 }
 
 std::string TomlDocument::canonical(std::initializer_list<std::string_view> names) const {

@@ -38,8 +38,8 @@ class TomlSection {
 
   std::vector<std::string> keys() const;  ///< in the order of the file
   int line_of(std::string_view key) const;
-  /// One value of any of the kinds that a key may have. Required.
-  TomlValue value(std::string_view key);
+  /// One value of any of the kinds that a key may have; none if it is missing or of another kind.
+  std::optional<TomlValue> value_if(std::string_view key);
   /// A list of at least one such value, or { first = i, count = n } for n whole numbers. Required.
   std::vector<TomlValue> values(std::string_view key);
 
@@ -85,6 +85,8 @@ class TomlDocument {
   /// The same document with another value of [section] key; messages name the value's own line.
   TomlDocument with(const std::string& section, const std::string& key,
                     const TomlValue& value) const;
+  /// The same document without these tables and keys.
+  TomlDocument without(std::initializer_list<std::string_view> names) const;
   /// The tables of these names that there are, as TOML with sorted keys: equal for equal content.
   std::string canonical(std::initializer_list<std::string_view> names) const;
   /// Refuses tables and top-level keys other than these.
@@ -93,6 +95,11 @@ class TomlDocument {
  private:
   friend class TomlSection;
   struct Impl;
+  TomlDocument(std::string path, std::shared_ptr<const Impl> impl)
+      : path_(std::move(path)), impl_(std::move(impl)) {}
+  /// A copy of the content that remembers the lines of its values: copied nodes do not.
+  std::shared_ptr<Impl> copy_with_lines() const;
+
   std::string path_;
   std::shared_ptr<const Impl> impl_;
 };

@@ -171,12 +171,19 @@ BOOST_AUTO_TEST_CASE(canonical_text_depends_on_content_alone_and_reads_back) {
   BOOST_TEST(text != one.with("b", "x", {0.1 + 1e-17 + 2e-17, 1}).canonical({"a", "b"}));
 }
 
+BOOST_AUTO_TEST_CASE(a_table_left_out_is_gone_and_the_lines_of_others_stay) {
+  const auto document = TomlDocument::parse("[a]\nx = 1\n[b]\ny = 2\n", "p.toml").without({"a"});
+  BOOST_TEST(!document.section("a").present());
+  BOOST_TEST(message_of([&] { document.section("b").refuse("y", "another"); }) ==
+             "p.toml:4: [b] y = 2: expected another");
+}
+
 BOOST_AUTO_TEST_CASE(arrays_of_tables_are_sections) {
   const auto document =
       TomlDocument::parse("[[exclude]]\nk = 1\n[[exclude]]\nk = 2\nm = 3\n", "study.toml");
   auto found = document.sections("exclude");
   BOOST_REQUIRE(found.size() == 2U);
-  BOOST_TEST(found[1].value("k").text() == "2");
+  BOOST_TEST(found[1].value_if("k")->text() == "2");
   BOOST_CHECK_EXCEPTION(found[1].done(), InputError, [](const InputError& error) {
     return std::string(error.what()).starts_with("study.toml:5: [exclude] m = 3: unknown key");
   });

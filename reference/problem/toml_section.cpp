@@ -180,11 +180,9 @@ int TomlSection::line_of(std::string_view key) const {
   return node.node ? line_of(key, node) : 0;
 }
 
-TomlValue TomlSection::value(std::string_view key) {
-  const std::string expected = "a number, a word, true or false, or a list of numbers";
-  const auto value = value_of(*require(key, expected).node);
-  if (!value) refuse(key, expected);
-  return *value;
+std::optional<TomlValue> TomlSection::value_if(std::string_view key) {
+  const auto node = find(key);
+  return node ? value_of(*node->node) : std::nullopt;
 }
 
 std::vector<TomlValue> TomlSection::values(std::string_view key) {
