@@ -79,6 +79,12 @@ void Profile::add(TimeSlice& slice, const Problem& problem, double begin, double
   const double velocity = problem.velocity_scale();
   const FourValues scale = {stress, stress, velocity, velocity};
   Piece piece{begin, end, {}};
+  if (!std::isfinite(error_)) {  // one unresolved value spoils the profile; the rest may take hours
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    piece.coefficients.assign(1, {nan, nan, nan, nan});
+    pieces_.push_back(std::move(piece));
+    return;
+  }
   double value_error = 0.0;
   double interpolation = std::numeric_limits<double>::infinity();
   for (const unsigned degree : degrees) {
@@ -96,6 +102,7 @@ void Profile::add(TimeSlice& slice, const Problem& problem, double begin, double
         at_rest = at_rest && values.back()[f] == 0.0;
       }
       if (at_rest && j == 0) break;  // ahead of the first front, all of the piece is
+      if (!std::isfinite(value_error)) break;
     }
     piece.coefficients =
         at_rest ? std::vector<FourValues>(1, FourValues{}) : coefficients_of(values);

@@ -1,5 +1,7 @@
 #include "reference/rays.hpp"
 
+#include <algorithm>
+
 namespace porowave::reference {
 
 std::vector<Ray> rays_until(const Problem& problem, const WaveModes& modes, double x,
@@ -11,9 +13,10 @@ std::vector<Ray> rays_until(const Problem& problem, const WaveModes& modes, doub
   for (int crossings = 0; (crossings == 0 || ends) && rays.size() <= most_rays; ++crossings) {
     const double last_leg = crossings % 2 == 0 ? x : length - x;
     bool any = false;
-    for (int slow = 0; slow <= crossings; ++slow) {
+    // Without conversion a wave stays what it was.
+    const int step = conversion ? 1 : std::max(1, crossings);
+    for (int slow = 0; slow <= crossings; slow += step) {
       for (int mode = 0; mode < 2; ++mode) {
-        // Without conversion a wave stays what it was.
         if (!conversion && slow != (mode == 0 ? 0 : crossings)) continue;
         Ray ray{crossings, slow, mode, 0.0, {(crossings - slow) * length, slow * length}};
         ray.path[static_cast<std::size_t>(mode)] += last_leg;
