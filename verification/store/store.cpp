@@ -1,0 +1,226 @@
+#include "verification/store/store.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "reference/problem/errors.hpp"
+
+namespace porowave::verification {
+
+namespace {
+
+/// Of the tables; stores of another version are refused.
+constexpr std::int64_t version = 1;
+constexpr std::int64_t application = 0x706f726f;  // "poro"
+
+const std::vector<std::string>& columns() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list = {"id",     "study", "specification", "status",
+                                     "reason", "steps", "time_step",     "points"};
+    list.insert(list.end(), measure_names().begin(), measure_names().end());
+    list.insert(list.end(),
+                {"cpu_seconds", "wall_seconds", "peak_rss_bytes", "finished", "provenance"});
+    return list;
+  }();
+  return names;
+}
+
+std::string table_sql() {
+  std::vector<std::string> measures;
+  for (const std::string& name : measure_names()) measures.push_back(name + " REAL");
+  return fmt::format(
+      "CREATE TABLE IF NOT EXISTS cases (id TEXT PRIMARY KEY, study TEXT NOT NULL, "
+      "specification TEXT NOT NULL, status TEXT NOT NULL, reason TEXT NOT NULL, "
+      "steps INTEGER NOT NULL, time_step REAL, points INTEGER NOT NULL, {}, cpu_seconds REAL, "
+      "wall_seconds REAL, peak_rss_bytes INTEGER, finished TEXT NOT NULL, "
+      "provenance TEXT NOT NULL) WITHOUT ROWID;"
+      "CREATE TABLE IF NOT EXISTS provenance (id TEXT PRIMARY KEY, version TEXT, git TEXT, "
+      "numerics TEXT, compiler TEXT, flags TEXT, cpu TEXT, host TEXT) WITHOUT ROWID;",
+      fmt::join(measures, ", "));
+}
+
+/// What happens to a row that is there already.
+constexpr auto unless_failed = " ON CONFLICT(id) DO UPDATE SET {} WHERE cases.status = 'failed'";
+
+std::string replacement() {
+  std::vector<std::string> assignments;
+  for (const std::string& name : columns()) {
+    if (name != "id") assignments.push_back(fmt::format("{0} = excluded.{0}", name));
+  }
+  return fmt::format(fmt::runtime(unless_failed), fmt::join(assignments, ", "));
+}
+
+std::string insert_sql() {
+  const std::vector<std::string> marks(columns().size(), "?");
+  return fmt::format("INSERT INTO cases ({}) VALUES ({}){}", fmt::join(columns(), ", "),
+                     fmt::join(marks, ", "), replacement());
+}
+
+std::string select_sql(const std::string& condition) {
+  return fmt::format("SELECT {} FROM cases{} ORDER BY id", fmt::join(columns(), ", "), condition);
+}
+
+void bind(Statement& statement, const Record& record) {
+  int i = 0;
+  statement.bind(i++, record.id);
+  statement.bind(i++, record.study);
+  statement.bind(i++, record.specification);
+  statement.bind(i++, case_status_names[static_cast<std::size_t>(record.status)]);
+  statement.bind(i++, record.reason);
+  statement.bind(i++, record.steps);
+  statement.bind(i++, record.time_step);
+  statement.bind(i++, record.points);
+  for (std::size_t m = 0; m < measure_names().size(); ++m) {
+    statement.bind(i++, m < record.measures.size() ? record.measures[m]
+                                                   : std::numeric_limits<double>::quiet_NaN());
+  }
+  statement.bind(i++, record.cpu_seconds);
+  statement.bind(i++, record.wall_seconds);
+  statement.bind(i++, record.peak_rss_bytes);
+  statement.bind(i++, record.finished);
+  statement.bind(i++, record.provenance);
+}
+
+Record record_of(const Statement& row) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  int i = 0;
+  Record record;
+  record.id = row.text(i++);
+  record.study = row.text(i++);
+  record.specification = row.text(i++);
+  const std::string status = row.text(i++);
+  const auto* const found =
+      std::find(case_status_names.begin(), case_status_names.end(), std::string_view(status));
+  record.status = found == case_status_names.end()
+                      ? CaseStatus::failed
+                      : static_cast<CaseStatus>(found - case_status_names.begin());
+  record.reason = row.text(i++);
+  record.steps = row.integer(i++);
+  record.time_step = row.number(i++).value_or(nan);
+  record.points = row.integer(i++);
+  for (std::size_t m = 0; m < measure_names().size(); ++m) {
+    record.measures.push_back(row.number(i++).value_or(nan));
+  }
+  record.cpu_seconds = row.number(i++).value_or(nan);
+  record.wall_seconds = row.number(i++).value_or(nan);
+  record.peak_rss_bytes = row.integer(i++);
+  record.finished = row.text(i++);
+  record.provenance = row.text(i++);
+  return record;
+}
+
+}  // namespace
+
+Store Store::create_or_open(const std::string& path) {
+  const bool fresh = !std::filesystem::exists(path) || std::filesystem::file_size(path) == 0;
+  Store store(Database(path, Database::Mode::create));
+  if (!fresh) store.require_version();
+  store.database_.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
+  store.database_.execute(
+      "BEGIN IMMEDIATE;" + table_sql() +
+      fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}; COMMIT;", application,
+                  version));
+  return store;
+}
+
+Store Store::open(const std::string& path) {
+  Store store(Database(path, Database::Mode::read));
+  store.require_version();
+  return store;
+}
+
+void Store::require_version() const {
+  const auto number = [this](const char* sql) {
+    Statement statement = database_.prepare(sql);
+    statement.step();
+    return statement.integer(0);
+  };
+  if (number("PRAGMA application_id") != application) {
+    throw InputError(path() + ": is a database of another program: expected a store of porowave");
+  }
+  const auto found = number("PRAGMA user_version");
+  if (found != version) {
+    throw InputError(
+        fmt::format("{}: is a store of version {}: expected version {}", path(), found, version));
+  }
+}
+
+void Store::add(const std::vector<Record>& records) {
+  Statement insert = database_.prepare(insert_sql());
+  database_.execute("BEGIN IMMEDIATE");
+  try {
+    for (const Record& record : records) {
+      bind(insert, record);
+      insert.run();
+    }
+    database_.execute("COMMIT");
+  } catch (...) {
+    insert.reset();
+    // A full disk has rolled back by itself; then this finds nothing to do.
+    try {
+      database_.execute("ROLLBACK");
+    } catch (const EnvironmentError&) {
+    }
+    throw;
+  }
+}
+
+void Store::add(const Provenance& provenance) {
+  Statement insert =
+      database_.prepare("INSERT OR IGNORE INTO provenance VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+  int i = 0;
+  for (const std::string* text :
+       {&provenance.id, &provenance.version, &provenance.git, &provenance.numerics,
+        &provenance.compiler, &provenance.flags, &provenance.cpu, &provenance.host}) {
+    insert.bind(i++, *text);
+  }
+  insert.run();
+}
+
+std::set<std::string> Store::finished_ids() const {
+  Statement rows = database_.prepare("SELECT id FROM cases WHERE status <> 'failed'");
+  std::set<std::string> ids;
+  while (rows.step()) ids.insert(rows.text(0));
+  return ids;
+}
+
+bool Store::finished(const std::string& id) const {
+  Statement rows = database_.prepare("SELECT 1 FROM cases WHERE id = ? AND status <> 'failed'");
+  rows.bind(0, id);
+  return rows.step();
+}
+
+std::optional<Record> Store::find(const std::string& id) const {
+  Statement rows = database_.prepare(select_sql(" WHERE id = ?"));
+  rows.bind(0, id);
+  if (!rows.step()) return std::nullopt;
+  return record_of(rows);
+}
+
+std::vector<Record> Store::all(const std::string& study) const {
+  Statement rows = database_.prepare(select_sql(study.empty() ? "" : " WHERE study = ?"));
+  if (!study.empty()) rows.bind(0, study);
+  std::vector<Record> records;
+  while (rows.step()) records.push_back(record_of(rows));
+  return records;
+}
+
+void Store::merge(const std::string& other) {
+  open(other);  // refuses what is no store
+  Statement attach = database_.prepare("ATTACH DATABASE ? AS other");
+  attach.bind(0, other);
+  attach.run();
+  const std::string names = fmt::format("{}", fmt::join(columns(), ", "));
+  // "WHERE true" lets SQLite tell the conflict clause from a join.
+  database_.execute(
+      fmt::format("BEGIN IMMEDIATE; INSERT OR IGNORE INTO provenance SELECT * FROM "
+                  "other.provenance; INSERT INTO cases ({0}) SELECT {0} FROM "
+                  "other.cases WHERE true{1}; COMMIT; DETACH DATABASE other",
+                  names, replacement()));
+}
+
+}  // namespace porowave::verification

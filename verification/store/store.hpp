@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "verification/store/database.hpp"
+#include "verification/store/record.hpp"
+
+namespace porowave::verification {
+
+/// Results of cases in one SQLite file: table `cases`, one row a case, keyed by its id; table
+/// `provenance`. A row is written whole or not at all, also under kill -9; writing a case twice
+/// changes nothing. Several processes may use one store at a time.
+class Store {
+ public:
+  /// Throws InputError if the file is no store or of a newer version, EnvironmentError if it cannot
+  /// be read or written.
+  static Store create_or_open(const std::string& path);
+  static Store open(const std::string& path);
+
+  /// Adds rows in one transaction. A row that is there already is replaced only if it had failed.
+  void add(const std::vector<Record>& records);
+  void add(const Provenance& provenance);
+
+  /// Ids of the cases that need not be run again: all whose status is not `failed`.
+  std::set<std::string> finished_ids() const;
+  bool finished(const std::string& id) const;
+  std::optional<Record> find(const std::string& id) const;
+  /// All rows (of one study, if named), in the order of their ids.
+  std::vector<Record> all(const std::string& study = "") const;
+
+  /// Adds the rows of another store. Rows that both have stay; failed ones are replaced by others.
+  void merge(const std::string& other);
+  const std::string& path() const { return database_.path(); }
+
+ private:
+  explicit Store(Database database) : database_(std::move(database)) {}
+  void require_version() const;
+  mutable Database database_;
+};
+
+}  // namespace porowave::verification

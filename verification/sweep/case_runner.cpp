@@ -1,0 +1,113 @@
+#include "verification/sweep/case_runner.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <ctime>
+#include <limits>
+#include <new>
+
+#include "reference/problem/errors.hpp"
+#include "verification/run.hpp"
+
+namespace porowave::verification {
+
+namespace {
+
+std::string now() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
+void set_result(const RunResult& result, Record& record) {
+  record.steps = result.steps;
+  record.time_step = result.time_step;
+  record.points = static_cast<std::int64_t>(result.points);
+  record.cpu_seconds = result.cost.cpu_seconds;
+  record.wall_seconds = result.cost.wall_seconds;
+  record.peak_rss_bytes = result.cost.peak_rss_bytes;
+  if (result.breakdown) {
+    record.status = CaseStatus::broke_down;
+    record.reason = result.breakdown->reason;
+    return;
+  }
+  record.measures.clear();
+  for (const FieldError& error : result.errors) {
+    for (const Norms& norms : {error.points, error.field}) {
+      record.measures.insert(record.measures.end(), {norms.l1, norms.l2, norms.linf});
+    }
+  }
+  record.measures.insert(record.measures.end(), {result.reference_error, result.largest_strain});
+}
+
+void set_failure(CaseStatus status, const char* reason, Record& record) {
+  record.status = status;
+  record.reason = reason;
+}
+
+/// The problem alone: what stands before the choices of the method.
+std::string problem_text(const StudyCase& one) {
+  const auto end =
+      std::min(one.specification.find("\n[discretization]"), one.specification.find("\n[time]"));
+  return one.specification.substr(0, end);
+}
+
+}  // namespace
+
+Record CaseRunner::run(const StudyCase& one) {
+  Record record;
+  record.id = one.id;
+  record.study = study_;
+  record.specification = one.specification;
+  record.provenance = provenance_;
+  record.measures.assign(measure_names().size(), std::numeric_limits<double>::quiet_NaN());
+  try {
+    const ProfilePointer profile = profile_of(one);
+    set_result(run_case(one.scene, *profile), record);
+  } catch (const InputError& error) {
+    set_failure(CaseStatus::refused, error.what(), record);
+  } catch (const BreakdownError& error) {
+    set_failure(CaseStatus::broke_down, error.what(), record);
+  } catch (const std::bad_alloc&) {
+    set_failure(CaseStatus::failed, "out of memory", record);
+  } catch (const std::exception& error) {
+    set_failure(CaseStatus::failed, error.what(), record);
+  }
+  record.finished = now();
+  return record;
+}
+
+CaseRunner::ProfilePointer CaseRunner::profile_of(const StudyCase& one) {
+  const std::string key = fmt::format("{}\n{} {}", problem_text(one), one.scene.time.end,
+                                      solver::ColumnSolver::grid_length(one.scene));
+  std::promise<ProfilePointer> promise;
+  std::shared_future<ProfilePointer> future;
+  bool first = false;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto [entry, fresh] = profiles_.try_emplace(key);
+    if (fresh) entry->second = promise.get_future().share();
+    future = entry->second;
+    first = fresh;
+  }
+  if (first) {
+    try {
+      promise.set_value(reference_profile(one.scene));
+    } catch (...) {
+      promise.set_exception(std::current_exception());
+    }
+  }
+  return future.get();
+}
+
+double predicted_work(const solver::Case& scene) {
+  const double length = solver::ColumnSolver::grid_length(scene);
+  const double elements = scene.discretization.elements;
+  const double steps = scene.time.end * wave_speeds(scene.problem.material).p1 * elements /
+                       (length * scene.time.courant);
+  // Points are visited when weights are made and when errors are, nodes in every step.
+  const double points = elements * scene.discretization.points_per_element;
+  return elements * steps + 50.0 * points;
+}
+
+}  // namespace porowave::verification

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <future>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "reference/profile.hpp"
+#include "verification/store/record.hpp"
+#include "verification/study/study.hpp"
+
+namespace porowave::verification {
+
+/// Runs cases of studies. Reference profiles are shared by the cases that have the same problem,
+/// end and grid length. May be used by several threads at a time.
+class CaseRunner {
+ public:
+  CaseRunner(std::string study, std::string provenance)
+      : study_(std::move(study)), provenance_(std::move(provenance)) {}
+
+  /// A case with its errors and cost. Nothing that goes wrong in it is thrown: it is the record's
+  /// status and reason.
+  Record run(const StudyCase& one);
+
+ private:
+  using ProfilePointer = std::shared_ptr<const reference::Profile>;
+  ProfilePointer profile_of(const StudyCase& one);
+
+  std::string study_;
+  std::string provenance_;
+  std::mutex mutex_;
+  std::map<std::string, std::shared_future<ProfilePointer>> profiles_;
+};
+
+/// Work that a case takes compared with others, without unit: to run the longest first.
+double predicted_work(const solver::Case& scene);
+
+}  // namespace porowave::verification

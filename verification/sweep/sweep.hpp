@@ -1,0 +1,45 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "verification/store/store.hpp"
+#include "verification/study/study.hpp"
+
+namespace porowave::verification {
+
+/// Part i of n, counted from 1.
+struct Shard {
+  int index = 1;
+  int count = 1;
+};
+
+struct SweepOptions {
+  int jobs = 0;  ///< threads; 0 for one a core
+  std::optional<Shard> shard = {};
+  /// Called about ten times a second from the thread that called `sweep`: cases done, cases to do.
+  std::function<void(std::size_t, std::size_t)> progress = {};
+  /// When it becomes true no case is begun any more; those under way are finished and stored.
+  const std::atomic<bool>* stop = nullptr;
+};
+
+struct SweepSummary {
+  std::size_t cases = 0;   ///< of the study, or of the shard
+  std::size_t reused = 0;  ///< in the store before, or done by another sweep meanwhile
+  std::array<std::size_t, 4> by_status{};  ///< of those run now, in the order of CaseStatus
+  double case_cpu_seconds = 0.0;           ///< of the solver, in those run now
+  bool stopped = false;
+};
+
+/// Runs the cases of a study that the store does not have, the longest first, and stores them as
+/// they end. Killed at any moment it loses only cases under way; run again it continues. Several
+/// sweeps may fill one store at a time.
+/// Throws EnvironmentError if the store cannot be written.
+SweepSummary sweep(const Study& study, Store& store, const SweepOptions& options = {});
+
+/// The cases of a shard: every count-th of the study in the order of their predicted work.
+std::vector<const StudyCase*> cases_of(const Study& study, const std::optional<Shard>& shard);
+
+}  // namespace porowave::verification

@@ -1,0 +1,143 @@
+#include "verification/sweep/sweep.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <set>
+#include <thread>
+
+#include "verification/store/scratch_directory.hpp"
+
+using namespace porowave;
+using namespace porowave::verification;
+
+namespace {
+
+Study small_study(const std::string& axes) {
+  return read_study(TomlDocument::parse(
+      "[material]\nporosity = 0.4\ngrain_density = 2650.0\nfluid_density = 1000.0\n"
+      "constrained_modulus = 5.0e9\nfluid_bulk_modulus = 2.2e9\nintrinsic_permeability = 1.0e-11\n"
+      "fluid_viscosity = 1.0e-3\n"
+      "[column]\nlength = 0.1\nnear = \"drained_traction\"\nfar = \"rigid_sealed\"\n"
+      "[load]\nshape = \"smooth_ramp\"\nmagnitude = 1.0\nduration = 1e-5\n"
+      "[discretization]\nelements = 10\nkernel = \"bspline2\"\nplacement = \"stratified\"\n"
+      "[time]\nend = 2.0e-5\n[study]\nname = \"trial\"\n[axes]\n" +
+          axes,
+      "study.toml"));
+}
+
+const std::string twelve =
+    "\"discretization.elements\" = [10, 20]\n"
+    "\"discretization.seed\" = { first = 1, count = 6 }\n";
+
+/// What must be equal in every repetition, row for row.
+bool same_rows(const std::vector<Record>& a, const std::vector<Record>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i].id != b[i].id || a[i].status != b[i].status || a[i].steps != b[i].steps) return false;
+    for (std::size_t m = 0; m < a[i].measures.size(); ++m) {
+      const bool equal = a[i].measures[m] == b[i].measures[m];
+      if (!equal && !(std::isnan(a[i].measures[m]) && std::isnan(b[i].measures[m]))) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(sweep)
+
+BOOST_AUTO_TEST_CASE(every_case_becomes_a_row_and_a_second_sweep_has_nothing_to_do) {
+  const ScratchDirectory directory;
+  const Study study = small_study(twelve);
+  Store store = Store::create_or_open(directory.file("results"));
+  const SweepSummary first = porowave::verification::sweep(study, store, {.jobs = 2});
+  BOOST_TEST(first.by_status[0] == 12U);
+  BOOST_TEST(first.reused == 0U);
+  BOOST_TEST(!first.stopped);
+  std::set<double> errors;
+  for (const Record& row : store.all()) {
+    const double error = row.measures[*measure_index("effective_stress_field_l2")];
+    BOOST_TEST(error > 1e-3);
+    BOOST_TEST(error < 0.5);
+    errors.insert(error);
+  }
+  BOOST_TEST(errors.size() == 12U);
+  const SweepSummary second = porowave::verification::sweep(study, store, {.jobs = 2});
+  BOOST_TEST(second.reused == 12U);
+  BOOST_TEST(second.by_status[0] == 0U);
+}
+
+BOOST_AUTO_TEST_CASE(rows_do_not_depend_on_the_number_of_threads_or_shards) {
+  const ScratchDirectory directory;
+  const Study study = small_study(twelve);
+  Store one = Store::create_or_open(directory.file("one"));
+  Store many = Store::create_or_open(directory.file("many"));
+  Store merged = Store::create_or_open(directory.file("merged"));
+  porowave::verification::sweep(study, one, {.jobs = 1});
+  porowave::verification::sweep(study, many, {.jobs = 5});
+  BOOST_TEST(same_rows(one.all(), many.all()));
+  for (int i = 1; i <= 3; ++i) {
+    const std::string path = directory.file("shard" + std::to_string(i));
+    Store shard = Store::create_or_open(path);
+    SweepOptions options;
+    options.jobs = 1;
+    options.shard = Shard{i, 3};
+    BOOST_TEST(porowave::verification::sweep(study, shard, options).cases == 4U);
+    merged.merge(path);
+  }
+  BOOST_TEST(same_rows(one.all(), merged.all()));
+}
+
+BOOST_AUTO_TEST_CASE(a_stopped_sweep_keeps_what_it_has_and_continues) {
+  const ScratchDirectory directory;
+  const Study study = small_study(twelve);
+  Store store = Store::create_or_open(directory.file("results"));
+  std::atomic<bool> stop = true;
+  SweepOptions options;
+  options.jobs = 2;
+  options.stop = &stop;
+  BOOST_TEST(porowave::verification::sweep(study, store, options).stopped);
+  BOOST_TEST(store.all().empty());
+  stop = false;
+  options.progress = [&](std::size_t done, std::size_t) { stop = done > 0; };
+  const auto part = porowave::verification::sweep(study, store, options);
+  BOOST_TEST(store.all().size() == part.by_status[0]);
+  options.stop = nullptr;
+  const auto rest = porowave::verification::sweep(study, store, options);
+  BOOST_TEST(rest.reused == part.by_status[0]);
+  BOOST_TEST(store.all().size() == 12U);
+}
+
+BOOST_AUTO_TEST_CASE(two_sweeps_at_once_fill_one_store) {
+  const ScratchDirectory directory;
+  const Study study = small_study(twelve);
+  Store first = Store::create_or_open(directory.file("results"));
+  Store second = Store::create_or_open(directory.file("results"));
+  Store alone = Store::create_or_open(directory.file("alone"));
+  {
+    const std::jthread other([&] { porowave::verification::sweep(study, second, {.jobs = 1}); });
+    porowave::verification::sweep(study, first, {.jobs = 1});
+  }
+  porowave::verification::sweep(study, alone, {.jobs = 1});
+  BOOST_TEST(same_rows(first.all(), alone.all()));
+}
+
+BOOST_AUTO_TEST_CASE(cases_that_cannot_be_run_are_rows_with_their_reason) {
+  const ScratchDirectory directory;
+  const Study study = small_study(
+      "\"time.courant\" = [0.5, 1.0]\n\"discretization.elements\" = [400]\n"
+      "\"discretization.transfer\" = [\"shape\"]\n"
+      "\"discretization.kernel\" = [\"bspline1\"]\n"
+      "\"column.length\" = [0.1, 1e-8]\n");
+  Store store = Store::create_or_open(directory.file("results"));
+  const auto summary = porowave::verification::sweep(study, store, {.jobs = 2});
+  BOOST_TEST(summary.by_status[static_cast<std::size_t>(CaseStatus::done)] == 1U);
+  BOOST_TEST(summary.by_status[static_cast<std::size_t>(CaseStatus::broke_down)] == 1U);
+  BOOST_TEST(summary.by_status[static_cast<std::size_t>(CaseStatus::refused)] == 2U);
+  for (const Record& row : store.all()) {
+    BOOST_TEST((row.status == CaseStatus::done) == row.reason.empty());
+    BOOST_TEST((row.status == CaseStatus::done) == std::isfinite(row.measures[0]));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
