@@ -97,7 +97,7 @@ class Search {
     double last = 0.0;
     for (double u = 0.0; u < 100.0;) {
       const Node node = nodes.at(u);
-      const NodeSum sum = integrand_.at(node.s, node.weight, node.state);
+      const NodeSum sum = integrand_.at(node);
       if (!sum.finite()) return std::numeric_limits<double>::infinity();
       for (std::size_t f = 0; f < 4; ++f) {
         highest = std::max(highest, sum.rounding[f] / integrand_.full_wave()[f] / usual_rounding);

@@ -23,7 +23,7 @@ void sum_levels(Integrand& integrand, NodeTable& table, ExplainedGroup& group) {
     for (std::size_t j = 0;; ++j) {
       const Node& node = table.at(level, j);
       if (node.u > last + (level == 0 ? 2.5 : 0.5)) break;
-      const NodeSum term = integrand.at(node.s, node.weight, node.state);
+      const NodeSum term = integrand.at(node);
       if (!term.finite()) return;
       ++nodes;
       for (std::size_t f = 0; f < 4; ++f) sum[f] += term.value[f];
@@ -50,7 +50,7 @@ std::vector<double> ExplainedGroup::log_heights(const Problem& problem,
   heights.reserve(s.size());
   for (const Complex place : s) {
     const WaveState state = wave_state(problem, modes, modes.at(place, choice.cut));
-    const double size = integrand.at(place, std::abs(place), state).size;
+    const double size = integrand.at({0.0, place, std::abs(place), state, std::nullopt}).size;
     heights.push_back(std::isfinite(size) ? std::log10(std::max(size, 1e-300)) : 300.0);
   }
   return heights;

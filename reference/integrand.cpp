@@ -31,6 +31,11 @@ double size_of(Complex z) {
   return std::abs(z.real()) + std::abs(z.imag());
 }
 
+/// std::exp without its detours for infinities: terms that are not finite are looked for.
+Complex exp_of(Complex z) {
+  return std::exp(z.real()) * Complex(std::cos(z.imag()), std::sin(z.imag()));
+}
+
 }  // namespace
 
 FourSums unit_fields(const Problem& problem) {
@@ -53,7 +58,10 @@ Integrand::Integrand(const Problem& problem, const LoadTransform& load,
       unit_(unit_fields(problem)),
       sum_(problem, rays_),
       rates_(arrivals_.size()) {
-  for (std::size_t f = 0; f < 4; ++f) full_[f] = unit_[f] * load.peak();
+  for (std::size_t f = 0; f < 4; ++f) {
+    full_[f] = unit_[f] * load.peak();
+    per_full_[f] = 1.0 / full_[f];
+  }
 }
 
 ScaledTransform Integrand::part(const Arrival& a, Complex s) const {
@@ -81,18 +89,19 @@ class Amplification {
 
 }  // namespace
 
-NodeSum Integrand::at(Complex s, Complex weight, const WaveState& state) {
+NodeSum Integrand::at(const Node& node) {
   // All arrivals of a group are of one kind; what has settled has the same transform for all.
   const bool settled = arrivals_.front().part == Arrival::Part::settled;
-  ScaledTransform load = part(arrivals_.front(), s);
-  const Amplification amplification(s, state.modes);
+  const Complex s = node.s;
+  ScaledTransform load = settled && node.settled ? *node.settled : part(arrivals_.front(), s);
+  const Amplification amplification(s, node.state.modes);
   std::array<Complex, 4> total{};
-  NodeSum node;
-  sum_.at(state, [&](std::size_t r, const FieldVector& fields, Complex exponent) {
+  NodeSum sum;
+  sum_.at(node.state, [&](std::size_t r, const FieldVector& fields, Complex exponent) {
     if (fields[0] == 0.0 && fields[1] == 0.0 && fields[2] == 0.0) return;  // no conversion
     const Arrival& a = arrivals_[r];
     if (!settled && r > 0) load = part(a, s);
-    const Complex factor = weight * std::exp(load.exponent + s * a.since + exponent);
+    const Complex factor = node.weight * exp_of(load.exponent + s * a.since + exponent);
     const Complex wave = load.value * factor;
     const double units = amplification.of(a) + 4.0 * size_of(load.exponent);
     const double lost = cancelled * load.size * size_of(factor);
@@ -100,15 +109,15 @@ NodeSum Integrand::at(Complex s, Complex weight, const WaveState& state) {
     for (std::size_t f = 0; f < 4; ++f) {
       const Complex term = wave * fields[f];
       total[f] += term;
-      node.rounding[f] += units * size_of(term) + lost * unit_[f];
+      sum.rounding[f] += units * size_of(term) + lost * unit_[f];
       rate[f] += s.real() * term.real() - s.imag() * term.imag();
     }
   });
   for (std::size_t f = 0; f < 4; ++f) {
-    node.value[f] = total[f].real();
-    node.size = std::max(node.size, size_of(total[f]) / full_[f]);
+    sum.value[f] = total[f].real();
+    sum.size = std::max(sum.size, size_of(total[f]) * per_full_[f]);
   }
-  return node;
+  return sum;
 }
 
 NodeSum Integrand::residue(std::size_t arrival, const ImaginaryPole& pole, const WaveState& state) {

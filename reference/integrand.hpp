@@ -3,6 +3,7 @@
 #include <span>
 
 #include "reference/arrivals.hpp"
+#include "reference/node_table.hpp"
 
 namespace porowave::reference {
 
@@ -28,8 +29,8 @@ class Integrand {
   Integrand(const Integrand&) = delete;
   Integrand& operator=(const Integrand&) = delete;
 
-  /// What the node s adds; also adds to the rates.
-  NodeSum at(Complex s, Complex weight, const WaveState& state);
+  /// What a node adds; also adds to the rates.
+  NodeSum at(const Node& node);
   /// Residue of a pole of the load on the imaginary axis, and of its conjugate.
   NodeSum residue(std::size_t arrival, const ImaginaryPole& pole, const WaveState& state);
   /// Poles of the load for an arrival.
@@ -55,6 +56,7 @@ class Integrand {
   std::vector<Ray> rays_;
   FourSums unit_;
   FourSums full_;  ///< fields of a full wave under the whole load
+  FourSums per_full_;
   RaySum sum_;
   std::vector<FourSums> rates_;
 };

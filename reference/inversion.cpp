@@ -55,7 +55,7 @@ class Trapezoid {
 
  private:
   bool add(const Node& node) {
-    const NodeSum sum = integrand_.at(node.s, node.weight, node.state);
+    const NodeSum sum = integrand_.at(node);
     ++nodes_;
     if (!sum.finite()) {
       finite_ = false;

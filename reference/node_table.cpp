@@ -5,8 +5,8 @@
 namespace porowave::reference {
 
 NodeTable::NodeTable(const Problem& problem, const WaveModes& modes, const Hyperbola& contour,
-                     WaveModes::Cut cut)
-    : problem_(&problem), modes_(&modes), contour_(contour), cut_(cut) {}
+                     WaveModes::Cut cut, const LoadTransform* load)
+    : problem_(&problem), modes_(&modes), contour_(contour), cut_(cut), load_(load) {}
 
 Node NodeTable::at(double u) const {
   // (1/2 pi i) ds = (1/2 pi i) s'(u) du; the lower half is the conjugate of the upper one.
@@ -14,7 +14,9 @@ Node NodeTable::at(double u) const {
   const Complex s = contour_.point(u);
   const Complex weight =
       halves / (2.0 * std::numbers::pi) * contour_.tangent(u) / Complex(0.0, 1.0);
-  return {u, s, weight, state_at(s)};
+  Node node{u, s, weight, state_at(s), std::nullopt};
+  if (load_ != nullptr) node.settled = load_->settled(s);
+  return node;
 }
 
 WaveState NodeTable::state_at(Complex s) const {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "reference/contour.hpp"
+#include "reference/load_transform.hpp"
 #include "reference/rays.hpp"
 
 namespace porowave::reference {
@@ -14,15 +16,17 @@ struct Node {
   Complex s;
   Complex weight;  ///< of the inverse at step 1 in u: Re(weight * transform) counts both halves
   WaveState state;
+  std::optional<ScaledTransform> settled;  ///< of the load, if the table keeps it
 };
 
 /// Nodes of the trapezoidal rule on a hyperbola, nested: level 0 has step 1/2 in u, each further
-/// level the places half-way between those there are. They do not depend on the point or the load,
-/// so one table serves many points. Made as they are asked for.
+/// level the places half-way between those there are. They do not depend on the point, so one table
+/// serves many points of a time. Made as they are asked for.
 class NodeTable {
  public:
+  /// With a load, whose settled transform is kept at every node; it must outlive the table.
   NodeTable(const Problem& problem, const WaveModes& modes, const Hyperbola& contour,
-            WaveModes::Cut cut);
+            WaveModes::Cut cut, const LoadTransform* load = nullptr);
 
   static constexpr double first_step = 0.5;
   static double step(int level) { return first_step / static_cast<double>(1 << level); }
@@ -39,6 +43,7 @@ class NodeTable {
   const WaveModes* modes_;
   Hyperbola contour_;
   WaveModes::Cut cut_;
+  const LoadTransform* load_;
   std::vector<std::vector<Node>> levels_;
 };
 

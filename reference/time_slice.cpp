@@ -139,7 +139,9 @@ Inverted TimeSlice::by_contour(const ArrivalGroup& group, Integrand& integrand) 
   attempts = 0;
   for (const ContourChoice& choice :
        contours_for(solution_.problem(), solution_.modes(), load_, group)) {
-    NodeTable table(solution_.problem(), solution_.modes(), choice.contour, choice.cut);
+    const bool settled = oldest.part == Arrival::Part::settled;
+    NodeTable table(solution_.problem(), solution_.modes(), choice.contour, choice.cut,
+                    settled ? &load_ : nullptr);
     const Inverted result = invert(integrand, table, uncertainty_);
     if (result.worst < best.worst) {
       best = result;

@@ -17,6 +17,9 @@ class TimeSlice {
   /// `solution` must outlive the slice. Throws InputError for a time that is not finite.
   /// With TimeIntegral::once the slice is that of the fields' integrals over time.
   TimeSlice(const ColumnSolution& solution, double t, TimeIntegral integral = TimeIntegral::none);
+  // Its contours refer to its load.
+  TimeSlice(const TimeSlice&) = delete;
+  TimeSlice& operator=(const TimeSlice&) = delete;
 
   /// Fields at 0 <= x <= length. Throws InputError for other x.
   BoundedFields at(double x);

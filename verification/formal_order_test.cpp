@@ -15,7 +15,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "verification/order.hpp"
+#include "verification/order/convergence_fit.hpp"
 #include "verification/transfer_cases.hpp"
 
 using namespace porowave;
@@ -97,24 +97,27 @@ struct FieldOrders {
 /// One row of the printed table: errors of a field at all levels and the orders between them.
 FieldOrders orders_of(const Refinement& refinement, const Measure& measure, std::size_t field,
                       std::string_view title) {
-  FieldOrders orders;
-  std::vector<LevelError> all;
+  ErrorTable all;
+  ErrorTable fine;  // what is fitted
   std::ostringstream row;
   row << std::left << std::setw(12) << title << std::setw(17) << field_names[field] << std::setw(7)
       << measure.name << std::scientific << std::setprecision(2);
   for (const auto& [cells, seeds] : refinement) {
-    all.push_back({0.1 / cells, median_errors(seeds, measure)[field]});
-    row << ' ' << all.back().error;
+    const double error = median_errors(seeds, measure)[field];
+    for (ErrorTable* table : {&all, &fine}) {
+      if (table == &fine && cells < fit_from) continue;
+      table->spacing.push_back(0.1 / cells);
+      table->errors.push_back({error});
+    }
+    row << ' ' << error;
   }
   row << std::fixed << std::setprecision(3) << "  orders";
-  for (std::size_t k = 1; k < all.size(); ++k) {
-    orders.pairs.emplace_back(refinement[k - 1].first, observed_order(all[k - 1], all[k]));
-    row << ' ' << orders.pairs.back().second;
+  FieldOrders orders{{}, fit_power(log_means(fine)).order};
+  const std::vector<double> between = pairwise_orders(log_means(all));
+  for (std::size_t k = 0; k < between.size(); ++k) {
+    orders.pairs.emplace_back(refinement[k].first, between[k]);
+    row << ' ' << between[k];
   }
-  const auto first = std::find_if(refinement.begin(), refinement.end(),
-                                  [](const auto& level) { return level.first >= fit_from; });
-  orders.fit = fitted_order(
-      std::span(all).subspan(static_cast<std::size_t>(std::distance(refinement.begin(), first))));
   BOOST_TEST_MESSAGE(row.str() << "  fit " << orders.fit);
   return orders;
 }

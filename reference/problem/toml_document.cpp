@@ -1,27 +1,17 @@
 #include "reference/problem/toml_document.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <numeric>
 #include <sstream>
 
 #include "reference/problem/errors.hpp"
+#include "reference/problem/toml_implementation.hpp"
 
 namespace porowave {
-
-struct TomlDocument::Impl {
-  toml::table table;
-};
-
-struct TomlSection::Node {
-  const toml::node* node;
-};
 
 namespace {
 
@@ -33,6 +23,8 @@ std::string on_one_line(std::string text) {
   return text.size() > 60 ? text.substr(0, 57) + "..." : text;
 }
 
+}  // namespace
+
 std::string shown(const toml::node& node) {
   if (const auto* text = node.as_string()) return on_one_line(fmt::format("\"{}\"", text->get()));
   if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
@@ -41,190 +33,28 @@ std::string shown(const toml::node& node) {
   return on_one_line(out.str());
 }
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+std::optional<TomlValue> value_of(const toml::node& node) {
+  TomlValue result;
+  result.line = static_cast<int>(node.source().begin.line);
+  if (const auto* flag = node.as_boolean()) {
+    result.value = flag->get();
+  } else if (const auto* integer = node.as_integer()) {
+    result.value = integer->get();
+  } else if (const auto* number = node.as_floating_point()) {
+    result.value = number->get();
+  } else if (const auto* word = node.as_string()) {
+    result.value = word->get();
+  } else if (const auto* list = node.as_array()) {
+    std::vector<double> numbers;
+    for (const auto& entry : *list) {
+      if (!entry.is_number()) return std::nullopt;
+      numbers.push_back(entry.value<double>().value());
     }
+    result.value = std::move(numbers);
+  } else {
+    return std::nullopt;
   }
-  return row[b.size()];
-}
-
-std::string known_words(std::span<const std::string> known) {
-  return fmt::format("{}", fmt::join(known, ", "));
-}
-
-std::string suggestion(std::string_view word, std::span<const std::string> known) {
-  if (const auto near = nearest_word(word, known)) {
-    return fmt::format("did you mean {}?", *near);
-  }
-  return known.empty() ? std::string("none is known here")
-                       : fmt::format("expected one of {}", known_words(known));
-}
-
-}  // namespace
-
-bool Range::contains(double value) const {
-  const bool above = low_open ? value > low : value >= low;
-  const bool below = high_open ? value < high : value <= high;
-  return std::isfinite(value) && above && below;
-}
-
-std::string Range::text() const {
-  std::string text = "a number";
-  const bool bounded_below = std::isfinite(low);
-  if (bounded_below) text += fmt::format(" {} {:g}", low_open ? ">" : ">=", low);
-  if (std::isfinite(high)) {
-    text += fmt::format("{} {} {:g}", bounded_below ? " and" : "", high_open ? "<" : "<=", high);
-  }
-  return text;
-}
-
-std::optional<std::string> nearest_word(std::string_view word, std::span<const std::string> known) {
-  std::optional<std::string> best;
-  std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
-  for (const auto& candidate : known) {
-    const std::size_t distance = edit_distance(word, candidate);
-    if (distance < best_distance) {
-      best_distance = distance;
-      best = candidate;
-    }
-  }
-  return best;
-}
-
-TomlSection::TomlSection(const TomlDocument& document, std::string name)
-    : document_(&document), name_(std::move(name)) {}
-
-bool TomlSection::present() const {
-  return document_->impl_->table.contains(name_);
-}
-
-std::optional<TomlSection::Node> TomlSection::find(std::string_view key) {
-  known_.emplace(key);
-  const toml::node* node = document_->impl_->table[name_][key].node();
-  return node ? std::optional<Node>(Node{node}) : std::nullopt;
-}
-
-bool TomlSection::has(std::string_view key) {
-  return find(key).has_value();
-}
-
-bool TomlSection::is_text(std::string_view key) {
-  const auto node = find(key);
-  return node && node->node->is_string();
-}
-
-void TomlSection::refuse(std::string_view key, std::string_view expected) const {
-  const toml::node* node = document_->impl_->table[name_][key].node();
-  if (!node) {
-    throw InputError(
-        fmt::format("{}: [{}] {} is missing: expected {}", document_->path_, name_, key, expected));
-  }
-  throw InputError(fmt::format("{}:{}: [{}] {} = {}: expected {}", document_->path_,
-                               node->source().begin.line, name_, key, shown(*node), expected));
-}
-
-TomlSection::Node TomlSection::require(std::string_view key, std::string_view expected) {
-  const auto node = find(key);
-  if (!node) refuse(key, expected);
-  return *node;
-}
-
-double TomlSection::checked_number(std::string_view key, const Node& node,
-                                   const Range& range) const {
-  const auto value = node.node->value<double>();
-  if (!node.node->is_number() || !value || !range.contains(*value)) refuse(key, range.text());
-  return *value;
-}
-
-double TomlSection::number(std::string_view key, const Range& range) {
-  return checked_number(key, require(key, range.text()), range);
-}
-
-std::optional<double> TomlSection::number_if(std::string_view key, const Range& range) {
-  const auto node = find(key);
-  return node ? std::optional<double>(checked_number(key, *node, range)) : std::nullopt;
-}
-
-double TomlSection::number_or(std::string_view key, double fallback, const Range& range) {
-  return number_if(key, range).value_or(fallback);
-}
-
-long TomlSection::integer_or(std::string_view key, long fallback, long low, long high) {
-  return find(key) ? integer(key, low, high) : fallback;
-}
-
-long TomlSection::integer(std::string_view key, long low, long high) {
-  const std::string expected = fmt::format("a whole number from {} to {}", low, high);
-  const Node node = require(key, expected);
-  const auto* value = node.node->as_integer();
-  if (!value || value->get() < low || value->get() > high) refuse(key, expected);
-  return static_cast<long>(value->get());
-}
-
-std::string TomlSection::text(std::string_view key) {
-  const Node node = require(key, "a string");
-  const auto* value = node.node->as_string();
-  if (!value) refuse(key, "a string");
-  return value->get();
-}
-
-std::string TomlSection::text_or(std::string_view key, std::string fallback) {
-  return find(key) ? text(key) : std::move(fallback);
-}
-
-std::vector<double> TomlSection::numbers_or(std::string_view key, std::vector<double> fallback,
-                                            const Range& range) {
-  const auto node = find(key);
-  if (!node) return fallback;
-  const auto expected = fmt::format("a list, each entry {}", range.text());
-  const auto* list = node->node->as_array();
-  if (!list) refuse(key, expected);
-  std::vector<double> numbers;
-  for (const auto& entry : *list) {
-    const auto value = entry.value<double>();
-    if (!entry.is_number() || !value || !range.contains(*value)) refuse(key, expected);
-    numbers.push_back(*value);
-  }
-  return numbers;
-}
-
-std::size_t TomlSection::choice(std::string_view key, std::span<const std::string_view> words) {
-  const std::vector<std::string> known(words.begin(), words.end());
-  const std::string expected = "one of " + known_words(known);
-  const Node node = require(key, expected);
-  const auto* word = node.node->as_string();
-  if (!word) refuse(key, expected);
-  const auto found = std::find(words.begin(), words.end(), word->get());
-  if (found == words.end()) {
-    const auto near = nearest_word(word->get(), known);
-    refuse(key, near ? fmt::format("{} (did you mean {}?)", expected, *near) : expected);
-  }
-  return static_cast<std::size_t>(found - words.begin());
-}
-
-std::size_t TomlSection::choice_or(std::string_view key, std::size_t fallback,
-                                   std::span<const std::string_view> words) {
-  return find(key) ? choice(key, words) : fallback;
-}
-
-void TomlSection::done() const {
-  const auto* table = document_->impl_->table[name_].as_table();
-  if (!table) return;
-  const std::vector<std::string> known(known_.begin(), known_.end());
-  for (const auto& [key, node] : *table) {
-    if (known_.contains(key.str())) continue;
-    throw InputError(fmt::format("{}:{}: [{}] {} = {}: unknown key; {}", document_->path_,
-                                 key.source().begin.line, name_, key.str(), shown(node),
-                                 suggestion(key.str(), known)));
-  }
+  return result;
 }
 
 TomlDocument TomlDocument::load(const std::string& path) {
@@ -244,10 +74,7 @@ TomlDocument TomlDocument::parse(std::string_view text, const std::string& path)
     throw InputError(
         fmt::format("{}:{}: not TOML: {}", path, error.source().begin.line, error.description()));
   }
-  TomlDocument document;
-  document.path_ = path;
-  document.impl_ = std::move(impl);
-  return document;
+  return TomlDocument(path, std::move(impl));
 }
 
 TomlSection TomlDocument::section(std::string name) const {
@@ -257,6 +84,78 @@ TomlSection TomlDocument::section(std::string name) const {
                                  node->source().begin.line, name, shown(*node), name));
   }
   return {*this, std::move(name)};
+}
+
+std::vector<TomlSection> TomlDocument::sections(const std::string& name) const {
+  const toml::node* node = impl_->table[name].node();
+  if (!node) return {};
+  const auto* list = node->as_array();
+  const bool tables = list && std::all_of(list->begin(), list->end(),
+                                          [](const toml::node& entry) { return entry.is_table(); });
+  if (!tables) {
+    throw InputError(fmt::format("{}:{}: {} = {}: expected tables [[{}]]", path_,
+                                 node->source().begin.line, name, shown(*node), name));
+  }
+  std::vector<TomlSection> sections;
+  for (std::size_t i = 0; i < list->size(); ++i) sections.push_back(TomlSection(*this, name, i));
+  return sections;
+}
+
+std::shared_ptr<TomlDocument::Impl> TomlDocument::copy_with_lines() const {
+  auto copy = std::make_shared<Impl>(*impl_);
+  for (const auto& [name, node] : impl_->table) {
+    const auto* table = node.as_table();
+    if (!table) continue;
+    for (const auto& [key, entry] : *table) {
+      const int line = static_cast<int>(entry.source().begin.line);
+      if (line > 0) copy->lines[fmt::format("{}.{}", name.str(), key.str())] = line;
+    }
+  }
+  return copy;
+}
+
+TomlDocument TomlDocument::with(const std::string& section, const std::string& key,
+                                const TomlValue& value) const {
+  auto changed = impl_->lines.empty() ? copy_with_lines() : std::make_shared<Impl>(*impl_);
+  auto* table = changed->table[section].as_table();
+  if (!table) {
+    changed->table.insert_or_assign(section, toml::table());
+    table = changed->table[section].as_table();
+  }
+  std::visit(
+      [&](const auto& content) {
+        using Content = std::decay_t<decltype(content)>;
+        if constexpr (std::is_same_v<Content, std::vector<double>>) {
+          toml::array list;
+          for (const double number : content) list.push_back(number);
+          table->insert_or_assign(key, std::move(list));
+        } else {
+          table->insert_or_assign(key, content);
+        }
+      },
+      value.value);
+  changed->lines[fmt::format("{}.{}", section, key)] = value.line;
+  return TomlDocument(path_, std::move(changed));
+}
+
+TomlDocument TomlDocument::without(std::initializer_list<std::string_view> names) const {
+  auto changed = copy_with_lines();
+  for (const std::string_view name : names) changed->table.erase(name);
+  return TomlDocument(path_, std::move(changed));
+}
+
+std::string TomlDocument::canonical(std::initializer_list<std::string_view> names) const {
+  std::string text;
+  for (const std::string_view name : names) {
+    const auto* table = impl_->table[name].as_table();
+    if (!table) continue;
+    text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", name);
+    for (const auto& [key, node] : *table) {
+      const auto value = value_of(node);
+      text += fmt::format("{} = {}\n", key.str(), value ? value->text() : shown(node));
+    }
+  }
+  return text;
 }
 
 void TomlDocument::only(std::initializer_list<std::string_view> sections) const {

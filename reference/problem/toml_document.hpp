@@ -1,7 +1,6 @@
 #pragma once
 
 #include <initializer_list>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -11,25 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "reference/problem/range.hpp"
+#include "reference/problem/toml_value.hpp"
+
 namespace porowave {
-
-/// The values that a number may take, and how to say so in a message.
-struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool low_open = false;   ///< low itself is not allowed
-  bool high_open = false;  ///< high itself is not allowed
-
-  bool contains(double value) const;
-  std::string text() const;  ///< for instance "a number > 0"
-
-  static Range positive() { return {0.0, std::numeric_limits<double>::infinity(), true, true}; }
-  static Range inside(double low, double high) { return {low, high, true, true}; }
-  static Range between(double low, double high) { return {low, high, false, false}; }
-};
-
-/// The known word nearest to a misspelt one, if one is near enough to suggest.
-std::optional<std::string> nearest_word(std::string_view word, std::span<const std::string> known);
 
 class TomlDocument;
 
@@ -52,6 +36,13 @@ class TomlSection {
                                  const Range& range);
   bool is_text(std::string_view key);  ///< the key is there and holds a string
 
+  std::vector<std::string> keys() const;  ///< in the order of the file
+  int line_of(std::string_view key) const;
+  /// One value of any of the kinds that a key may have; none if it is missing or of another kind.
+  std::optional<TomlValue> value_if(std::string_view key);
+  /// A list of at least one such value, or { first = i, count = n } for n whole numbers. Required.
+  std::vector<TomlValue> values(std::string_view key);
+
   /// A required word out of `words`; the result is its index.
   std::size_t choice(std::string_view key, std::span<const std::string_view> words);
   std::size_t choice_or(std::string_view key, std::size_t fallback,
@@ -65,13 +56,17 @@ class TomlSection {
  private:
   friend class TomlDocument;
   struct Node;
-  TomlSection(const TomlDocument& document, std::string name);
+  TomlSection(const TomlDocument& document, std::string name,
+              std::optional<std::size_t> index = std::nullopt);
+  Node at(std::string_view key) const;  ///< null if the key is missing
+  int line_of(std::string_view key, const Node& node) const;
   std::optional<Node> find(std::string_view key);
   Node require(std::string_view key, std::string_view expected);
   double checked_number(std::string_view key, const Node& node, const Range& range) const;
 
   const TomlDocument* document_;
   std::string name_;
+  std::optional<std::size_t> index_;  ///< of an entry of an array of tables
   std::set<std::string, std::less<>> known_;
 };
 
@@ -85,12 +80,26 @@ class TomlDocument {
 
   const std::string& path() const { return path_; }
   TomlSection section(std::string name) const;
+  /// The tables [[name]]; none if there is no such key.
+  std::vector<TomlSection> sections(const std::string& name) const;
+  /// The same document with another value of [section] key; messages name the value's own line.
+  TomlDocument with(const std::string& section, const std::string& key,
+                    const TomlValue& value) const;
+  /// The same document without these tables and keys.
+  TomlDocument without(std::initializer_list<std::string_view> names) const;
+  /// The tables of these names that there are, as TOML with sorted keys: equal for equal content.
+  std::string canonical(std::initializer_list<std::string_view> names) const;
   /// Refuses tables and top-level keys other than these.
   void only(std::initializer_list<std::string_view> sections) const;
 
  private:
   friend class TomlSection;
   struct Impl;
+  TomlDocument(std::string path, std::shared_ptr<const Impl> impl)
+      : path_(std::move(path)), impl_(std::move(impl)) {}
+  /// A copy of the content that remembers the lines of its values: copied nodes do not.
+  std::shared_ptr<Impl> copy_with_lines() const;
+
   std::string path_;
   std::shared_ptr<const Impl> impl_;
 };

@@ -6,6 +6,7 @@
 
 using porowave::InputError;
 using porowave::Range;
+using porowave::same_value;
 using porowave::TomlDocument;
 
 namespace {
@@ -108,6 +109,94 @@ BOOST_AUTO_TEST_CASE(not_a_number_and_infinity_are_never_in_range) {
              "p.toml:2: [a] x = nan: expected a number");
   BOOST_TEST(message_of([&] { section.number("y", Range{}); }) ==
              "p.toml:3: [a] y = inf: expected a number");
+}
+
+BOOST_AUTO_TEST_CASE(axes_hold_values_of_any_kind_in_the_order_of_the_file) {
+  const auto document = TomlDocument::parse(
+      "[axes]\nzeta = [\"a\", \"b\"]\nalpha = [1, 2.5]\nlists = [[], [0.1, 2]]\n"
+      "seed = { first = 3, count = 2 }\n",
+      "study.toml");
+  auto axes = document.section("axes");
+  BOOST_TEST(axes.keys() == (std::vector<std::string>{"zeta", "alpha", "lists", "seed"}),
+             boost::test_tools::per_element());
+  std::vector<std::string> texts;
+  for (const auto& key : axes.keys()) {
+    for (const auto& value : axes.values(key)) texts.push_back(value.text());
+  }
+  const std::vector<std::string> expected = {"\"a\"", "\"b\"",      "1", "2.5",
+                                             "[]",    "[0.1, 2.0]", "3", "4"};
+  BOOST_TEST(texts == expected, boost::test_tools::per_element());
+  BOOST_TEST(axes.values("alpha")[0].line == 3);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_axes_are_refused_with_their_line) {
+  const auto document = TomlDocument::parse(
+      "[axes]\na = []\nb = 3\nc = [[\"x\"]]\nd = { first = 1, count = 0 }\n"
+      "e = { first = 1, count = 2, step = 2 }\n",
+      "study.toml");
+  auto axes = document.section("axes");
+  for (const char* key : {"a", "b", "c", "d", "e"}) {
+    BOOST_CHECK_EXCEPTION(axes.values(key), InputError, [&](const InputError& error) {
+      const std::string line = std::to_string(axes.line_of(key));
+      return std::string(error.what()).starts_with("study.toml:" + line + ": [axes] " + key);
+    });
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_value_put_in_is_read_and_messages_name_its_own_line) {
+  const auto base = TomlDocument::parse("[a]\nx = 1\ny = 2\n", "study.toml");
+  const auto changed = base.with("a", "x", {5.5, 12}).with("b", "z", {std::string("q"), 13});
+  BOOST_TEST(base.section("a").number("x", {}) == 1.0);
+  BOOST_TEST(changed.section("a").number("x", {}) == 5.5);
+  BOOST_TEST(changed.section("b").text("z") == "q");
+  const auto line_of = [&](const char* section, const char* key) {
+    try {
+      changed.section(section).refuse(key, "something else");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  BOOST_TEST(line_of("a", "x") == "study.toml:12: [a] x = 5.5: expected something else");
+  BOOST_TEST(line_of("a", "y") == "study.toml:3: [a] y = 2: expected something else");
+  BOOST_TEST(line_of("b", "z") == "study.toml:13: [b] z = \"q\": expected something else");
+}
+
+BOOST_AUTO_TEST_CASE(canonical_text_depends_on_content_alone_and_reads_back) {
+  const auto one = TomlDocument::parse("[b]\ny = \"w\\\"\\\\\"\nx = 0.1\n[a]\nz=[1,2]\n", "one");
+  const auto other =
+      TomlDocument::parse("# note\n[a]\nz = [1.0, 2.0]\n[b]\nx=1e-1\ny='w\"\\'\n[c]\n", "other");
+  const std::string text = one.canonical({"a", "b"});
+  BOOST_TEST(text == other.canonical({"a", "b"}));
+  BOOST_TEST(TomlDocument::parse(text, "again").canonical({"a", "b"}) == text);
+  BOOST_TEST(text != one.with("b", "x", {0.1 + 1e-17 + 2e-17, 1}).canonical({"a", "b"}));
+}
+
+BOOST_AUTO_TEST_CASE(a_table_left_out_is_gone_and_the_lines_of_others_stay) {
+  const auto document = TomlDocument::parse("[a]\nx = 1\n[b]\ny = 2\n", "p.toml").without({"a"});
+  BOOST_TEST(!document.section("a").present());
+  BOOST_TEST(message_of([&] { document.section("b").refuse("y", "another"); }) ==
+             "p.toml:4: [b] y = 2: expected another");
+}
+
+BOOST_AUTO_TEST_CASE(arrays_of_tables_are_sections) {
+  const auto document =
+      TomlDocument::parse("[[exclude]]\nk = 1\n[[exclude]]\nk = 2\nm = 3\n", "study.toml");
+  auto found = document.sections("exclude");
+  BOOST_REQUIRE(found.size() == 2U);
+  BOOST_TEST(found[1].value_if("k")->text() == "2");
+  BOOST_CHECK_EXCEPTION(found[1].done(), InputError, [](const InputError& error) {
+    return std::string(error.what()).starts_with("study.toml:5: [exclude] m = 3: unknown key");
+  });
+  BOOST_TEST(document.sections("other").empty());
+  const auto wrong = TomlDocument::parse("exclude = 3\n", "study.toml");
+  BOOST_CHECK_THROW(wrong.sections("exclude"), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(whole_and_decimal_numbers_are_the_same_value) {
+  BOOST_TEST(same_value({std::int64_t{5}, 1}, {5.0, 2}));
+  BOOST_TEST(!same_value({std::int64_t{5}, 1}, {5.5, 1}));
+  BOOST_TEST(!same_value({std::string("5"), 1}, {5.0, 1}));
+  BOOST_TEST(same_value({true, 1}, {true, 9}));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

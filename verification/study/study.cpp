@@ -1,0 +1,182 @@
+#include "verification/study/study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "reference/problem/errors.hpp"
+#include "verification/study/case_identity.hpp"
+
+namespace porowave::verification {
+
+namespace {
+
+constexpr std::size_t most_cases = 10'000'000;
+constexpr auto seed_axis = "discretization.seed";
+
+/// "section.key"
+std::optional<std::pair<std::string, std::string>> split(const std::string& name) {
+  const auto dot = name.find('.');
+  if (dot == std::string::npos || dot == 0 || dot + 1 == name.size()) return std::nullopt;
+  return std::pair(name.substr(0, dot), name.substr(dot + 1));
+}
+
+std::vector<Axis> read_axes(const TomlDocument& document) {
+  TomlSection section = document.section("axes");
+  std::vector<Axis> axes;
+  for (const std::string& name : section.keys()) {
+    static const std::vector<std::string> tables = {"material", "column", "load", "discretization",
+                                                    "time"};
+    const auto place = split(name);
+    if (!place || std::find(tables.begin(), tables.end(), place->first) == tables.end()) {
+      section.refuse(name, "a key of a case, such as \"discretization.kernel\"");
+    }
+    axes.push_back({place->first, place->second, section.values(name)});
+  }
+  return axes;
+}
+
+std::optional<std::size_t> axis_named(const std::vector<Axis>& axes, const std::string& name) {
+  const auto found =
+      std::find_if(axes.begin(), axes.end(), [&](const Axis& a) { return a.name() == name; });
+  if (found == axes.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - axes.begin());
+}
+
+std::optional<std::size_t> read_refinement(const TomlDocument& document,
+                                           const std::vector<Axis>& axes) {
+  TomlSection section = document.section("refine");
+  if (!section.present()) return std::nullopt;
+  const auto axis = axis_named(axes, section.text("by"));
+  section.done();
+  if (!axis) section.refuse("by", "the name of an axis of [axes]");
+  for (const TomlValue& value : axes[*axis].values) {
+    const bool number = std::holds_alternative<std::int64_t>(value.value) ||
+                        std::holds_alternative<double>(value.value);
+    if (!number) section.refuse("by", "an axis whose values are numbers");
+  }
+  return axis;
+}
+
+/// One [[exclude]]: for some axes, the values that are left out together.
+using Exclusion = std::map<std::size_t, std::vector<TomlValue>>;
+
+std::vector<Exclusion> read_exclusions(const TomlDocument& document,
+                                       const std::vector<Axis>& axes) {
+  std::vector<Exclusion> exclusions;
+  for (TomlSection& section : document.sections("exclude")) {
+    Exclusion& exclusion = exclusions.emplace_back();
+    for (const std::string& name : section.keys()) {
+      const auto axis = axis_named(axes, name);
+      if (!axis) section.refuse(name, "a key that is an axis of [axes]");
+      const auto known = [&](const TomlValue& value) {
+        return std::any_of(axes[*axis].values.begin(), axes[*axis].values.end(),
+                           [&](const TomlValue& v) { return same_value(v, value); });
+      };
+      const auto one = section.value_if(name);
+      const auto values = one && known(*one) ? std::vector{*one} : section.values(name);
+      if (!std::all_of(values.begin(), values.end(), known)) {
+        section.refuse(name, "values that the axis has");
+      }
+      exclusion[*axis] = values;
+    }
+    if (exclusion.empty()) throw InputError(document.path() + ": [[exclude]] without a key");
+  }
+  return exclusions;
+}
+
+bool excluded(const std::vector<Exclusion>& exclusions, const std::vector<TomlValue>& at) {
+  return std::any_of(exclusions.begin(), exclusions.end(), [&](const Exclusion& exclusion) {
+    return std::all_of(exclusion.begin(), exclusion.end(), [&](const auto& entry) {
+      return std::any_of(entry.second.begin(), entry.second.end(),
+                         [&](const TomlValue& v) { return same_value(v, at[entry.first]); });
+    });
+  });
+}
+
+std::string described(const std::vector<Axis>& axes, const std::vector<TomlValue>& at) {
+  std::string text;
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    text += fmt::format("{}{} = {}", a == 0 ? "" : ", ", axes[a].name(), at[a].text());
+  }
+  return text;
+}
+
+StudyCase make_case(const TomlDocument& document, const std::vector<Axis>& axes,
+                    std::vector<TomlValue> at) {
+  StudyCase result;
+  result.specification =
+      document.canonical({"material", "column", "load", "discretization", "time"});
+  try {
+    result.scene = solver::read_case(document);
+  } catch (const InputError& error) {
+    if (axes.empty()) throw;
+    throw InputError(fmt::format("{}; in the case {}: correct it, or leave it out by [[exclude]]",
+                                 error.what(), described(axes, at)));
+  }
+  result.coordinates = std::move(at);
+  result.id = case_id(result.specification, result.scene);
+  return result;
+}
+
+/// All combinations; documents along the way are shared by the axes that follow.
+void expand(const TomlDocument& document, const std::vector<Exclusion>& exclusions,
+            std::vector<TomlValue>& at, Study& study) {
+  if (at.size() == study.axes.size()) {
+    if (!excluded(exclusions, at)) study.cases.push_back(make_case(document, study.axes, at));
+    return;
+  }
+  const Axis axis = study.axes[at.size()];
+  for (const TomlValue& value : axis.values) {
+    at.push_back(value);
+    expand(document.with(axis.section, axis.key, value), exclusions, at, study);
+    at.pop_back();
+  }
+}
+
+void require_distinct(const Study& study) {
+  std::map<std::string, const StudyCase*> seen;
+  for (const StudyCase& one : study.cases) {
+    const auto [other, fresh] = seen.emplace(one.id, &one);
+    if (fresh) continue;
+    throw InputError(fmt::format("{}: [axes]: the case {} appears twice: expected distinct values",
+                                 study.path, described(study.axes, one.coordinates)));
+  }
+}
+
+}  // namespace
+
+Study read_study(const TomlDocument& document) {
+  document.only({"material", "column", "load", "discretization", "time", "study", "axes", "refine",
+                 "exclude"});
+  Study study;
+  study.path = document.path();
+  TomlSection section = document.section("study");
+  study.name = section.text("name");
+  section.done();
+  if (study.name.empty()) section.refuse("name", "a word");
+  study.axes = read_axes(document);
+  study.refine = read_refinement(document, study.axes);
+  study.seed = axis_named(study.axes, seed_axis);
+  std::size_t count = 1;
+  for (const Axis& axis : study.axes) count *= std::min(axis.values.size(), most_cases);
+  if (count > most_cases) {
+    throw InputError(
+        fmt::format("{}: [axes]: {} cases: expected at most {}", study.path, count, most_cases));
+  }
+  std::vector<TomlValue> at;
+  const TomlDocument alone = document.without({"study", "axes", "refine", "exclude"});
+  expand(alone, read_exclusions(document, study.axes), at, study);
+  require_distinct(study);
+  if (study.cases.empty()) {
+    throw InputError(study.path + ": [[exclude]] leaves no case: expected at least one");
+  }
+  return study;
+}
+
+Study load_study(const std::string& path) {
+  return read_study(TomlDocument::load(path));
+}
+
+}  // namespace porowave::verification

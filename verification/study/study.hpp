@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reference/problem/toml_document.hpp"
+#include "solver/case.hpp"
+
+namespace porowave::verification {
+
+/// One key of a case and the values that it takes.
+struct Axis {
+  std::string section;  ///< "discretization"
+  std::string key;      ///< "kernel"
+  std::vector<TomlValue> values;
+
+  std::string name() const { return section + "." + key; }
+};
+
+/// One case of a study.
+struct StudyCase {
+  std::vector<TomlValue> coordinates;  ///< its value on every axis, in the order of Study::axes
+  std::string specification;           ///< all of it as TOML, a file that `porowave solve` reads
+  std::string id;                      ///< 32 hexadecimal digits of specification and program
+  solver::Case scene;
+};
+
+/// A grid of cases: a case file with [study], [axes], [refine] and [[exclude]].
+///
+///   [study] name = "paper"
+///   [axes]  "discretization.kernel" = ["bspline1", "bspline2"]        any key of a case
+///           "discretization.seed" = { first = 1, count = 16 }
+///   [refine] by = "discretization.elements"                           an axis of numbers
+///   [[exclude]]                          leaves out cases that have all of these values;
+///           "discretization.kernel" = "bspline1"       a list stands for any of its entries
+struct Study {
+  std::string path;
+  std::string name;
+  std::vector<Axis> axes;
+  std::optional<std::size_t> refine;  ///< index of the axis of levels
+  std::optional<std::size_t> seed;    ///< index of the axis of replicates, discretization.seed
+  std::vector<StudyCase> cases;       ///< the last axis changes fastest
+};
+
+/// Reads a study and makes its cases. Throws InputError, also for a combination of values that no
+/// case may have (the message says how to exclude it).
+Study read_study(const TomlDocument& document);
+Study load_study(const std::string& path);
+
+}  // namespace porowave::verification
