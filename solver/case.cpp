@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "reference/problem/toml_document.hpp"
+#include "solver/time_step.hpp"
 
 namespace porowave::solver {
 
@@ -212,12 +214,23 @@ void read_time_order(TomlSection& section, Scheme scheme, TimeSettings& time) {
   }
 }
 
+// NaN for "auto", which is settled when the rest of the case is known.
+double read_courant(TomlSection& section) {
+  const Range range{0.0, 1.0, true, false};
+  if (!section.is_text("courant")) {
+    return section.number_or("courant", TimeSettings{}.courant, range);
+  }
+  if (section.text("courant") != "auto") {
+    section.refuse("courant", range.text() + ", or \"auto\"");
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
 TimeSettings read_time(const TomlDocument& document, const Discretization& discretization) {
   auto section = document.section("time");
   TimeSettings time;
   time.end = section.number("end", Range::positive());
-  refuse_if(section, "courant", "auto", "a number > 0 and <= 1");
-  time.courant = section.number_or("courant", time.courant, Range{0.0, 1.0, true, false});
+  time.courant = read_courant(section);
   read_velocity_update(section, discretization.transfer, time);
   read_time_order(section, discretization.scheme, time);
   refuse_if(section, "path", "frozen", "\"auto\" or \"points\"");
@@ -233,7 +246,9 @@ Case read_case(const TomlDocument& document) {
   document.only({"material", "column", "load", "discretization", "time"});
   const Problem problem = read_problem(document);
   const Discretization discretization = read_discretization(document, problem);
-  return {problem, discretization, read_time(document, discretization)};
+  Case scene{problem, discretization, read_time(document, discretization)};
+  if (std::isnan(scene.time.courant)) scene.time.courant = automatic_courant(scene);
+  return scene;
 }
 
 std::string_view kernel_word(const Discretization& d) {

@@ -69,7 +69,7 @@ struct Discretization {
 
 struct TimeSettings {
   double end = 0.0;      // s
-  double courant = 0.5;  // c_1 Δt/h
+  double courant = 0.5;  // c_1 Δt/h; of courant = "auto", what time_step.hpp chose
   double flip = 1.0;     // 1 FLIP ... 0 PIC
   int xpic_order = 0;    // 1 to 10: XPIC of that order instead of flip (velocity_noise.hpp)
   int order = 2;         // of the time step: 2, or 4 with Scheme::staggered4

@@ -24,6 +24,7 @@ struct RunResult {
   std::optional<solver::Breakdown> breakdown;  ///< then the snapshot is that of the broken run
   long steps = 0;
   double time_step = 0.0;  ///< s
+  double courant = 0.0;    ///< c_1 Δt/h of that step; the case's, or less to end at time.end
   std::size_t points = 0;  ///< of both phases
   std::size_t reduced_rows = 0;
   std::size_t empty_rows = 0;

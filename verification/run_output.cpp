@@ -52,6 +52,7 @@ std::string run_json(const RunResult& result) {
   json["path"] = "points";
   json["time"] = number(result.snapshot.time);
   json["time_step"] = number(result.time_step);
+  json["courant"] = number(result.courant);
   json["steps"] = result.steps;
   json["points"] = result.points;
   json["wall_seconds"] = number(result.cost.wall_seconds);

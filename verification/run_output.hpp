@@ -11,7 +11,8 @@ namespace porowave::verification {
 /// a point, the field that a phase has not is empty; 17 digits, all at the snapshot's time.
 void write_points_csv(const solver::Snapshot& snapshot, std::ostream& out);
 
-/// {"errors": {field: {"points": {"l1","l2","linf"}, "field": {...}}}, "path", "steps", ...}.
+/// {"errors": {field: {"points": {"l1","l2","linf"}, "field": {...}}}, "path", "steps", ...};
+/// "time_step" in s, "courant" is c_1 Δt/h of it.
 /// A number that is not finite becomes null. After a breakdown "diverged" is true, "reason" says
 /// where, and "errors" is null.
 std::string run_json(const RunResult& result);

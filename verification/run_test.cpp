@@ -64,6 +64,10 @@ BOOST_AUTO_TEST_CASE(json_holds_every_norm_of_every_field) {
   }
   BOOST_TEST(json.at("path") == "points");
   BOOST_TEST(json.at("steps").get<long>() == result.steps);
+  // The step is shortened so that the run ends at time.end, by less than one step in all.
+  const double courant = json.at("courant").get<double>();
+  BOOST_TEST(courant <= scene.time.courant * (1.0 + 1e-12));
+  BOOST_TEST(courant > scene.time.courant * (1.0 - 1.0 / static_cast<double>(result.steps)));
   BOOST_TEST(json.at("diverged") == false);
   for (const char* key : {"wall_seconds", "cpu_seconds", "ns_per_point_step", "peak_rss_bytes"}) {
     BOOST_TEST(json.at(key).is_number());
