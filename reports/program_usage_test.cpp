@@ -6,7 +6,7 @@ using namespace porowave::tests;
 
 namespace {
 
-const std::vector<std::string> commands = {"reference", "waves", "solve", "demo"};
+const std::vector<std::string> commands = {"reference", "waves", "solve", "grade", "demo"};
 
 }  // namespace
 
@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_explained_in_one_line) {
       check_failure(run_porowave(arguments, folder.path()), 2, parts);
     }
   };
-  refused({}, {"expected one of the commands", "reference", "waves", "solve", "demo"});
+  refused({}, {"expected one of the commands", "reference", "waves", "solve", "grade", "demo"});
   refused({"resolve"}, {"resolve: expected one of the commands"});
   refused({"--fast"}, {"--fast"});
   refused({"solve"}, {"case", "porowave solve --help"});
@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_explained_in_one_line) {
 
 BOOST_AUTO_TEST_CASE(the_examples_run) {
   const TestDirectory folder;
-  for (const std::string command : {"reference", "waves", "solve"}) {
+  for (const std::string command : {"reference", "waves", "solve", "grade"}) {
     const auto result = run_example(command, (folder / command).string());
     BOOST_TEST(result.exit_code == 0);
     BOOST_TEST(result.errors == "");

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string_view>
+#include <vector>
 
 #include "reference/profile.hpp"
 #include "solver/column_solver.hpp"
@@ -21,6 +22,11 @@ struct FieldError {
 
 /// In the order of field_names.
 using FieldErrors = std::array<FieldError, 4>;
+
+/// Norms of one field (index in field_names) against the reference, from values and weights
+/// (volumes) at places x. Throws std::invalid_argument as relative_norms does.
+Norms compare_at(const reference::Profile& profile, std::size_t field, const std::vector<double>& x,
+                 const std::vector<double>& values, const std::vector<double>& weights);
 
 /// Compares a snapshot with the reference profile of the same time, at the snapshot's points,
 /// cell middles and nodes.

@@ -32,17 +32,21 @@ long peak_rss_bytes() {
 
 }  // namespace
 
-std::shared_ptr<const reference::Profile> reference_profile(const solver::Case& scene) {
-  const double length = solver::ColumnSolver::grid_length(scene);
-  const reference::ColumnSolution solution(scene.problem);
-  auto profile = std::make_shared<const reference::Profile>(solution, scene.time.end, length);
+std::shared_ptr<const reference::Profile> reference_profile(const Problem& problem, double time,
+                                                            double end) {
+  const reference::ColumnSolution solution(problem);
+  auto profile = std::make_shared<const reference::Profile>(solution, time, end);
   if (!(profile->error() <= sufficient_reference)) {
     throw InputError(fmt::format(
         "the reference cannot resolve this problem at t = {:g} s (bound {:g} of the load), so no "
         "error can be given: expected an end before some hundred crossings of the fast wave",
-        scene.time.end, profile->error()));
+        time, profile->error()));
   }
   return profile;
+}
+
+std::shared_ptr<const reference::Profile> reference_profile(const solver::Case& scene) {
+  return reference_profile(scene.problem, scene.time.end, solver::ColumnSolver::grid_length(scene));
 }
 
 namespace {

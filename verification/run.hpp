@@ -33,8 +33,11 @@ struct RunResult {
   Cost cost;
 };
 
-/// The reference profile that judges a case: its problem at its end time, over its grid.
-/// Throws InputError if the reference cannot resolve the problem to 1e-6 of the load.
+/// The reference profile of a problem at a time (s), for 0 <= x <= end (m); that which judges a
+/// case is of its problem at its end time, over its grid. Throws InputError if the reference cannot
+/// resolve the problem to 1e-6 of the load.
+std::shared_ptr<const reference::Profile> reference_profile(const Problem& problem, double time,
+                                                            double end);
 std::shared_ptr<const reference::Profile> reference_profile(const solver::Case& scene);
 
 /// Runs a case. A numerical breakdown is a result (errors then are those of the broken fields, not

@@ -3,25 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
-#include <cmath>
-#include <nlohmann/json.hpp>
+#include "verification/norms_json.hpp"
 
 namespace porowave::verification {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Strains above this may show beside the errors of a good run.
 constexpr double noticeable_strain = 1e-5;
-
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json norms_json(const Norms& norms) {
-  return {{"l1", number(norms.l1)}, {"l2", number(norms.l2)}, {"linf", number(norms.linf)}};
-}
 
 Json errors_json(const FieldErrors& errors) {
   Json json;

@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 
-#include <charconv>
 #include <filesystem>
-#include <fstream>
 
+#include "reference/problem/csv_reader.hpp"
 #include "reference/problem/errors.hpp"
 #include "reference/problem/load.hpp"
 #include "reference/problem/toml_document.hpp"
@@ -12,37 +11,16 @@ namespace porowave {
 
 namespace {
 
-bool parse_number(std::string_view text, double& number) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\r')) text.remove_suffix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size();
-}
-
 Load read_table(const std::string& path, double magnitude) {
-  std::ifstream file(path);
-  if (!file || std::filesystem::is_directory(path)) {
-    throw InputError(
-        fmt::format("{}: cannot be read: expected a CSV file with columns t,value", path));
+  CsvReader reader = CsvReader::open(path);
+  if (reader.columns() != std::vector<std::string>{"t", "value"}) {
+    reader.refuse_line(fmt::format("{}", fmt::join(reader.columns(), ",")), "the header t,value");
   }
   std::vector<double> times;
   std::vector<double> values;
-  std::string line;
-  for (int number = 1; std::getline(file, line); ++number) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (number == 1 && line != "t,value") {
-      throw InputError(fmt::format("{}:1: {}: expected the header t,value", path, line));
-    }
-    if (number == 1 || line.empty()) continue;
-    const auto comma = line.find(',');
-    double t = 0.0;
-    double value = 0.0;
-    if (comma == std::string::npos || !parse_number(std::string_view(line).substr(0, comma), t) ||
-        !parse_number(std::string_view(line).substr(comma + 1), value)) {
-      throw InputError(fmt::format("{}:{}: {}: expected two numbers, t,value", path, number, line));
-    }
-    times.push_back(t);
-    values.push_back(value);
+  while (reader.next()) {
+    times.push_back(reader.number(0));
+    values.push_back(reader.number(1));
   }
   try {
     return {magnitude, std::move(times), std::move(values)};
