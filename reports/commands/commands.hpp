@@ -13,6 +13,8 @@ void add_reference_command(CLI::App& program, Command& run);
 void add_waves_command(CLI::App& program, Command& run);
 void add_solve_command(CLI::App& program, Command& run);
 void add_explain_command(CLI::App& program, Command& run);
+void add_sweep_command(CLI::App& program, Command& run);
+void add_merge_command(CLI::App& program, Command& run);
 void add_demo_command(CLI::App& program, Command& run);
 
 }  // namespace porowave::reports
