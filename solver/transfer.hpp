@@ -19,6 +19,7 @@
 
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "solver/case.hpp"
@@ -33,6 +34,12 @@ struct PointSet {
   std::vector<double> volume;
   std::vector<double> mass;
   std::vector<double> domain = {};  // edge of the domain of gimp and cpgimp; may else be empty
+};
+
+// Φ as sparse rows, columns are the points. `to_quadrature` is empty for shape.
+struct TransferRows {
+  SparseRows to_nodes;
+  SparseRows to_quadrature;
 };
 
 template <int Dim>
@@ -69,6 +76,9 @@ class Transfer {
   // Evaluations of moving least squares that had to lower the order; and those without any point.
   std::size_t reduced_rows() const { return reduced_rows_; }
   std::size_t empty_rows() const { return empty_rows_; }
+
+  // Hands the rows over to a faster form of the same operators.
+  TransferRows take_rows() && { return {std::move(node_rows_), std::move(quadrature_rows_)}; }
 
  private:
   void build_shape(const PointSet<Dim>& points, const Grid<Dim>& grid);

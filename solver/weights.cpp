@@ -135,6 +135,13 @@ SparseRows mls_rows(std::span<const Vector<Dim>> evaluation_points,
 template <int Dim>
 LinearRows<Dim> linear_rows(std::span<const Vector<Dim>> points, const Grid<Dim>& grid) {
   LinearRows<Dim> rows;
+  const auto reserve = [count = points.size()](SparseRows& to) {
+    to.row_offsets.reserve(count + 1);
+    to.columns.reserve(count * Grid<Dim>::corners);
+    to.values.reserve(count * Grid<Dim>::corners);
+  };
+  reserve(rows.values);
+  for (SparseRows& gradient : rows.gradients) reserve(gradient);
   const auto append = [](SparseRows& to, std::int32_t column, double value) {
     to.columns.push_back(column);
     to.values.push_back(value);

@@ -1,0 +1,45 @@
+#pragma once
+
+// Loops that the compiler builds for several instruction sets, chosen when the program starts.
+//
+// The solver is compiled without contraction to fused multiply-adds, which not every set has: the
+// same bits come out on every machine.
+
+namespace porowave::solver {
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__)
+#define POROWAVE_VECTORISED __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#define POROWAVE_VECTORISED
+#endif
+#define POROWAVE_INLINE inline __attribute__((always_inline))
+
+// Several doubles at once, in as many registers as the set needs.
+using Four [[gnu::vector_size(32)]] = double;
+using Eight [[gnu::vector_size(64)]] = double;
+
+// From and to any address. A template or `auto` would forget the alignment of these types.
+using FourAnywhere [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
+using EightAnywhere [[gnu::vector_size(64), gnu::aligned(8), gnu::may_alias]] = double;
+
+POROWAVE_INLINE void read(const double* from, double& to) {
+  to = *from;
+}
+POROWAVE_INLINE void read(const double* from, Four& to) {
+  to = *reinterpret_cast<const FourAnywhere*>(from);
+}
+POROWAVE_INLINE void read(const double* from, Eight& to) {
+  to = *reinterpret_cast<const EightAnywhere*>(from);
+}
+POROWAVE_INLINE void write(const double& from, double* to) {
+  *to = from;
+}
+POROWAVE_INLINE void write(const Four& from, double* to) {
+  *reinterpret_cast<FourAnywhere*>(to) = from;
+}
+POROWAVE_INLINE void write(const Eight& from, double* to) {
+  *reinterpret_cast<EightAnywhere*>(to) = from;
+}
+
+}  // namespace porowave::solver
