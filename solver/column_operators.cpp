@@ -9,16 +9,8 @@
 
 namespace porowave::solver {
 
-bool compact_form_available(const Discretization& choice) {
-  const bool linear =
-      choice.transfer == TransferName::mls ||
-      (choice.transfer == TransferName::shape && choice.shape == shape_name<LinearSpline>);
-  // An adaptive support lends the strains of empty cells to points of others.
-  return linear && choice.strain == Strain::cell && !choice.adaptive_support;
-}
-
 PreparedPhase prepare_phase(const PointSet<1>& points, const Grid<1>& grid,
-                            const Discretization& choice) {
+                            const Discretization& choice, const TimeSettings& time) {
   const auto before = [](const Vector<1>& a, const Vector<1>& b) { return a[0] < b[0]; };
   if (!std::is_sorted(points.x.begin(), points.x.end(), before)) {
     throw std::invalid_argument("prepare phase: the points are not sorted along the column");
@@ -26,7 +18,7 @@ PreparedPhase prepare_phase(const PointSet<1>& points, const Grid<1>& grid,
   Transfer<1> transfer(points, grid, choice);
   PreparedPhase phase{nullptr, transfer.nodal_mass(), transfer.nodal_volume(),
                       transfer.reduced_rows(), transfer.empty_rows()};
-  if (compact_form_available(choice)) {
+  if (compact_form_available(choice, time)) {
     phase.operators = std::make_shared<CompactOperators>(std::move(transfer), points, grid);
   } else {
     phase.operators = std::make_shared<GeneralOperators>(std::move(transfer), points.x.size());

@@ -14,7 +14,9 @@
 //             points, the strain is one number a cell, the force at a node is the difference of
 //             the cells' stresses beside it, S_i − S_(i−1). S is the moving least squares value in
 //             the cell's middle, or for `shape` Σ_p V_p s_p/h.
-//   general   any Transfer<1>, by its sparse rows; whole column only
+//   general   any Transfer<1>, by its sparse rows, with the affine velocities of apic and with
+//   XPIC;
+//             whole column only
 
 #include <memory>
 #include <span>
@@ -25,6 +27,13 @@
 
 namespace porowave::solver {
 
+// Values of all points of a phase.
+struct PointValues {
+  std::vector<double> velocity;           // m/s
+  std::vector<double> stress;             // Pa
+  std::vector<double> velocity_gradient;  // C_p of apic, 1/s; empty for other transfers
+};
+
 // What scatter does to points; nodal values from the first node of the part on.
 struct PointUpdate {
   double flip;           // 1 FLIP ... 0 PIC
@@ -32,6 +41,7 @@ struct PointUpdate {
   const double* after;   // v_i', m/s
   const double* b;       // m/s
   double c;              // Pa s
+  int xpic_order = 0;    // general form only: XPIC of that order, flip = 1
 };
 
 class ColumnOperators {
@@ -40,17 +50,19 @@ class ColumnOperators {
 
   // Nodal velocity (m/s) and force (N) of the nodes [nodes.first, nodes.last), from the velocities
   // and stresses of all points. Both results are as long as the range.
-  virtual void gather(const double* velocity, const double* stress, Range nodes,
-                      double* nodal_velocity, double* force) const = 0;
+  virtual void gather(const PointValues& points, Range nodes, double* nodal_velocity,
+                      double* force) const = 0;
   // Updates the points of the cells [cells.first, cells.last).
-  virtual void scatter(const PointUpdate& update, Range cells, double* velocity,
-                       double* stress) const = 0;
-  // Σ_i N_i(x_p) u_i for all points.
+  virtual void scatter(const PointUpdate& update, Range cells, PointValues& points) const = 0;
+  // Σ_i N_i(x_p) u_i for all points, and with ∂N_i.
   virtual void to_points(const double* nodal, double* at_points) const = 0;
+  virtual void gradient_at_points(const double* nodal, double* at_points) const = 0;
   // The stress in the middle of every cell as Transfer::at_cell_centres gives it.
   virtual std::vector<double> at_cell_centres(std::span<const double> stress) const = 0;
   // Whether parts of the column are possible.
   virtual bool works_on_parts() const = 0;
+  // How many nodes farther the velocity of a node can be felt after a step, at most.
+  virtual std::size_t reach() const = 0;
   // The points of the cells [cells.first, cells.last); all points if there are no parts.
   virtual Range points_of(Range cells) const = 0;
 };
@@ -63,13 +75,9 @@ struct PreparedPhase {
   std::size_t empty_rows = 0;
 };
 
-// Whether a choice of transfer has the compact form: linear shape functions between nodes and
-// points, and strains constant in a cell.
-bool compact_form_available(const Discretization& choice);
-
 // The operators of a phase, compact where that form is available. `points` must be sorted by x
 // (std::invalid_argument otherwise, and as Transfer throws).
 PreparedPhase prepare_phase(const PointSet<1>& points, const Grid<1>& grid,
-                            const Discretization& choice);
+                            const Discretization& choice, const TimeSettings& time = {});
 
 }  // namespace porowave::solver

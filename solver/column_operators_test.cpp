@@ -15,13 +15,8 @@ namespace {
 constexpr std::size_t cells = test::column_cells;
 constexpr std::size_t nodes = cells + 1;
 
-struct Points {
-  std::vector<double> velocity;
-  std::vector<double> stress;
-};
-
-Points some_points(const PointSet<1>& points) {
-  return {noise(points.x.size(), 1), noise(points.x.size(), 2)};
+PointValues some_points(const PointSet<1>& points) {
+  return {noise(points.x.size(), 1), noise(points.x.size(), 2), {}};
 }
 
 struct Nodes {
@@ -29,24 +24,22 @@ struct Nodes {
   std::vector<double> force = std::vector<double>(nodes);
 };
 
-Nodes gather(const ColumnOperators& operators, const Points& points, std::size_t part) {
+Nodes gather(const ColumnOperators& operators, const PointValues& points, std::size_t part) {
   Nodes result;
   for (std::size_t first = 0; first < nodes; first += part) {
-    operators.gather(points.velocity.data(), points.stress.data(),
-                     {first, std::min(first + part, nodes)}, result.velocity.data() + first,
+    operators.gather(points, {first, std::min(first + part, nodes)}, result.velocity.data() + first,
                      result.force.data() + first);
   }
   return result;
 }
 
-void scatter(const ColumnOperators& operators, std::size_t part, Points& points) {
+void scatter(const ColumnOperators& operators, std::size_t part, PointValues& points) {
   const auto before = noise(nodes, 3);
   const auto after = noise(nodes, 4);
   const auto b = noise(nodes, 5);
   for (std::size_t first = 0; first < cells; first += part) {
     operators.scatter({0.75, before.data() + first, after.data() + first, b.data() + first, 0.01},
-                      {first, std::min(first + part, cells)}, points.velocity.data(),
-                      points.stress.data());
+                      {first, std::min(first + part, cells)}, points);
   }
 }
 
@@ -64,7 +57,7 @@ BOOST_AUTO_TEST_CASE(the_compact_form_is_the_transfer_to_rounding) {
     BOOST_TEST(phase.reduced_rows == transfer.reduced_rows());
     BOOST_TEST(phase.empty_rows == transfer.empty_rows());
 
-    const Points values = some_points(points);
+    const PointValues values = some_points(points);
     const Nodes found = gather(*phase.operators, values, nodes);
     // Weights of lowered or barely accepted order can be large.
     BOOST_TEST(largest_difference(found.velocity, test::at_nodes(transfer, values.velocity)) <
@@ -79,6 +72,9 @@ BOOST_AUTO_TEST_CASE(the_compact_form_is_the_transfer_to_rounding) {
     phase.operators->to_points(nodal.data(), at_points.data());
     transfer.to_points(nodal, expected);
     BOOST_TEST(largest_difference(at_points, expected) < 1e-14);
+    phase.operators->gradient_at_points(nodal.data(), at_points.data());
+    transfer.gradient_at_points(nodal, 0, expected);
+    BOOST_TEST(largest_difference(at_points, expected) < 1e-14 / grid.spacing);
   });
 }
 
@@ -87,13 +83,13 @@ BOOST_AUTO_TEST_CASE(both_forms_agree) {
     const PreparedPhase phase = prepare_phase(points, grid, choice);
     const GeneralOperators general(Transfer<1>(points, grid, choice), points.x.size());
     BOOST_TEST(!general.works_on_parts());
-    const Points values = some_points(points);
+    const PointValues values = some_points(points);
     const Nodes a = gather(*phase.operators, values, nodes);
     const Nodes b = gather(general, values, nodes);
     BOOST_TEST(largest_difference(a.velocity, b.velocity) < 1e-12);
     BOOST_TEST(largest_difference(a.force, b.force) < 1e-12);
-    Points one = values;
-    Points other = values;
+    PointValues one = values;
+    PointValues other = values;
     scatter(*phase.operators, cells, one);
     scatter(general, cells, other);
     BOOST_TEST(largest_difference(one.velocity, other.velocity) < 1e-14);
@@ -104,13 +100,13 @@ BOOST_AUTO_TEST_CASE(both_forms_agree) {
 BOOST_AUTO_TEST_CASE(parts_give_the_same_bits_as_the_whole) {
   test::for_all_columns([](const auto& points, const auto& grid, const auto& choice) {
     const PreparedPhase phase = prepare_phase(points, grid, choice);
-    const Points values = some_points(points);
+    const PointValues values = some_points(points);
     const Nodes whole = gather(*phase.operators, values, nodes);
     const Nodes parts = gather(*phase.operators, values, 64);
     BOOST_TEST(whole.velocity == parts.velocity);
     BOOST_TEST(whole.force == parts.force);
-    Points one = values;
-    Points other = values;
+    PointValues one = values;
+    PointValues other = values;
     scatter(*phase.operators, cells, one);
     scatter(*phase.operators, 64, other);
     BOOST_TEST(one.velocity == other.velocity);

@@ -75,6 +75,7 @@ CompactOperators::CompactOperators(Transfer<1>&& transfer, const PointSet<1>& po
   node_rows_ = range_rows(std::move(rows.to_nodes));
   if (rows.to_quadrature.row_count() > 0) {
     cell_rows_ = range_rows(std::move(rows.to_quadrature));
+    reach_ = reach_of_rows();
     return;
   }
   cell_rows_ = volume_rows(first_point_, points.volume, spacing_);
@@ -82,11 +83,13 @@ CompactOperators::CompactOperators(Transfer<1>&& transfer, const PointSet<1>& po
   multiply(cell_rows_, {0, cell_count()}, std::vector<double>(points.x.size(), 1.0).data(),
            mean_factor_.data());
   for (double& factor : mean_factor_) factor = factor > 0.0 ? 1.0 / factor : 0.0;
+  reach_ = reach_of_rows();
 }
 
-void CompactOperators::gather(const double* velocity, const double* stress, Range nodes,
-                              double* nodal_velocity, double* force) const {
-  multiply(node_rows_, nodes, velocity, nodal_velocity);
+void CompactOperators::gather(const PointValues& points, Range nodes, double* nodal_velocity,
+                              double* force) const {
+  multiply(node_rows_, nodes, points.velocity.data(), nodal_velocity);
+  const double* stress = points.stress.data();
   // Node i lies between the cells i − 1 and i; there is no stress beyond the ends.
   double before = 0.0;
   if (nodes.first > 0) multiply(cell_rows_, {nodes.first - 1, nodes.first}, stress, &before);
@@ -100,10 +103,9 @@ void CompactOperators::gather(const double* velocity, const double* stress, Rang
   }
 }
 
-void CompactOperators::scatter(const PointUpdate& update, Range cells, double* velocity,
-                               double* stress) const {
+void CompactOperators::scatter(const PointUpdate& update, Range cells, PointValues& points) const {
   scatter_to_cells(update, 1.0 / spacing_, cells, first_point_.data(), place_in_cell_.data(),
-                   velocity, stress);
+                   points.velocity.data(), points.stress.data());
 }
 
 void CompactOperators::to_points(const double* nodal, double* at_points) const {
@@ -112,6 +114,34 @@ void CompactOperators::to_points(const double* nodal, double* at_points) const {
       at_points[p] = nodal[c] + (nodal[c + 1] - nodal[c]) * place_in_cell_[p];
     }
   }
+}
+
+void CompactOperators::gradient_at_points(const double* nodal, double* at_points) const {
+  for (std::size_t c = 0; c < cell_count(); ++c) {
+    std::fill(at_points + first_point_[c], at_points + first_point_[c + 1],
+              (nodal[c + 1] - nodal[c]) / spacing_);
+  }
+}
+
+std::size_t CompactOperators::cell_of(std::size_t point) const {
+  const auto next = std::upper_bound(first_point_.begin(), first_point_.end(), point);
+  return static_cast<std::size_t>(next - first_point_.begin()) - 1;
+}
+
+// A node moves the points of the cells beside it, these the nodes and cell middles whose rows touch
+// them, and a cell's stress the nodes at its ends.
+std::size_t CompactOperators::reach_of_rows() const {
+  std::size_t reach = 0;
+  for (const RangeRows* rows : {&node_rows_, &cell_rows_}) {
+    for (std::size_t r = 0; r < rows->row_count(); ++r) {
+      const Range points = rows->columns(r);
+      if (points.size() == 0) continue;
+      const std::size_t first = cell_of(points.first);
+      const std::size_t last = cell_of(points.last - 1);
+      reach = std::max({reach, r > first ? r - first : 0, last + 1 > r ? last + 1 - r : 0});
+    }
+  }
+  return reach + 1;
 }
 
 std::vector<double> CompactOperators::at_cell_centres(std::span<const double> stress) const {

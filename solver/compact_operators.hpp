@@ -15,13 +15,14 @@ class CompactOperators : public ColumnOperators {
   // Takes the rows of the transfer over. `points` must be those of the transfer, sorted by x.
   CompactOperators(Transfer<1>&& transfer, const PointSet<1>& points, const Grid<1>& grid);
 
-  void gather(const double* velocity, const double* stress, Range nodes, double* nodal_velocity,
+  void gather(const PointValues& points, Range nodes, double* nodal_velocity,
               double* force) const override;
-  void scatter(const PointUpdate& update, Range cells, double* velocity,
-               double* stress) const override;
+  void scatter(const PointUpdate& update, Range cells, PointValues& points) const override;
   void to_points(const double* nodal, double* at_points) const override;
+  void gradient_at_points(const double* nodal, double* at_points) const override;
   std::vector<double> at_cell_centres(std::span<const double> stress) const override;
   bool works_on_parts() const override { return true; }
+  std::size_t reach() const override { return reach_; }
   Range points_of(Range cells) const override {
     return {first_point_[cells.first], first_point_[cells.last]};
   }
@@ -33,12 +34,16 @@ class CompactOperators : public ColumnOperators {
   double place_in_cell(std::size_t p) const { return place_in_cell_[p]; }  // (x_p − x_i)/h
 
  private:
+  std::size_t cell_of(std::size_t point) const;
+  std::size_t reach_of_rows() const;
+
   RangeRows node_rows_;
   RangeRows cell_rows_;
   std::vector<std::size_t> first_point_;  // of every cell, and the number of points
   std::vector<double> place_in_cell_;
   std::vector<double> mean_factor_;  // from S to the mean stress of a cell; empty for mls
   double spacing_;
+  std::size_t reach_ = 0;
 };
 
 }  // namespace porowave::solver

@@ -20,8 +20,10 @@ constexpr std::size_t nodes = cells + 1;
 void compare(const PointSet<1>& points, const Grid<1>& grid, const Discretization& choice,
              double flip, double first_values) {
   const auto operators = prepare_phase(points, grid, choice).operators;
-  auto velocity = noise(points.x.size(), 1, -first_values, first_values);
-  auto stress = noise(points.x.size(), 2, -first_values, first_values);
+  PointValues values{noise(points.x.size(), 1, -first_values, first_values),
+                     noise(points.x.size(), 2, -first_values, first_values),
+                     {}};
+  auto& [velocity, stress, none] = values;
   auto settled_velocity = velocity;
   auto settled_stress = stress;
   FrozenPhase frozen(operators, velocity, stress);
@@ -30,7 +32,7 @@ void compare(const PointSet<1>& points, const Grid<1>& grid, const Discretizatio
     const auto before = noise(nodes, 10 + step);
     const auto after = noise(nodes, 20 + step);
     const PointUpdate update{flip, before.data(), after.data(), after.data(), 0.01};
-    operators->scatter(update, {0, cells}, velocity.data(), stress.data());
+    operators->scatter(update, {0, cells}, values);
     for (std::size_t first = 0; first < cells; first += 256) {
       frozen.scatter(
           {flip, before.data() + first, after.data() + first, after.data() + first, 0.01},
@@ -38,7 +40,7 @@ void compare(const PointSet<1>& points, const Grid<1>& grid, const Discretizatio
     }
     frozen.end_step(flip);
     std::vector<double> v(nodes), f(nodes), frozen_v(nodes), frozen_f(nodes);
-    operators->gather(velocity.data(), stress.data(), {0, nodes}, v.data(), f.data());
+    operators->gather(values, {0, nodes}, v.data(), f.data());
     frozen.gather({0, nodes}, frozen_v.data(), frozen_f.data());
     BOOST_TEST(largest_difference(v, frozen_v) < 1e-11);
     BOOST_TEST(largest_difference(f, frozen_f) < 1e-11);
