@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(xpic_takes_the_place_of_flip) {
 BOOST_AUTO_TEST_CASE(frozen_is_for_points_that_can_be_eliminated) {
   const std::string frozen = "path = \"frozen\"\n";
   const std::string shape = "transfer = \"shape\"";
-  for (const std::string possible : {std::string(), shape, std::string("kernel = \"bspline3\"")}) {
+  for (const std::string& possible : {std::string(), shape, std::string("kernel = \"bspline3\"")}) {
     BOOST_TEST((read(lines(possible, frozen)).time.path == StepPath::frozen));
   }
   for (const std::string impossible :
