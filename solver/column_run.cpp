@@ -42,20 +42,18 @@ bool bounded(std::span<const double> values, double limit) {
 
 }  // namespace
 
-// While points are frozen, their values are at most as large as those of nodes and cells if they
-// started from zero.
+// No point that is eliminated has larger values than nodes and cells.
 bool ColumnSolver::surely_bounded(double velocity, double stress) const {
-  return solid_.frozen && solid_.frozen->started_at_rest() && fluid_.frozen->started_at_rest() &&
-         bounded(solid_.frozen->node_values(), velocity) &&
-         bounded(fluid_.frozen->node_values(), velocity) &&
-         bounded(solid_.frozen->cell_values(), stress) &&
-         bounded(fluid_.frozen->cell_values(), stress);
+  const auto q = frozen_->node_values();
+  const auto e = frozen_->cell_values();
+  return bounded(q[0], velocity) && bounded(q[1], velocity) && bounded(e[0], stress) &&
+         bounded(e[1], stress);
 }
 
 std::optional<Breakdown> ColumnSolver::find_breakdown() const {
   const double stress = growth_limit * scene_.problem.stress_scale();
   const double velocity = growth_limit * scene_.problem.velocity_scale();
-  if (solid_.frozen) {
+  if (frozen_) {
     if (surely_bounded(velocity, stress)) return std::nullopt;
     ColumnSolver now(*this);
     now.thaw();
@@ -84,7 +82,7 @@ Breakdown ColumnSolver::moved_too_far() const {
 std::optional<Breakdown> ColumnSolver::run() {
   while (step_ < steps_) {
     step();
-    if (scene_.time.path == StepPath::frozen && !solid_.frozen) {
+    if (scene_.time.path == StepPath::frozen && !frozen_) {
       return moved_too_far();
     }
     if (step_ % steps_between_checks != 0 && step_ < steps_) continue;
@@ -99,8 +97,10 @@ void ColumnSolver::synchronise_velocities() {
   const double ns = scene_.problem.material.solid_fraction();
   const double nf = scene_.problem.material.porosity;
   std::vector<double> pressure_force(node_count_);
-  fluid_.gather({0, node_count_}, pressure_force.data());
-  solid_.gather({0, node_count_}, solid_.nodes.force.data());
+  fluid_.prepared.operators->gather(fluid_.values, {0, node_count_}, fluid_.nodes.velocity.data(),
+                                    pressure_force.data());
+  solid_.prepared.operators->gather(solid_.values, {0, node_count_}, solid_.nodes.velocity.data(),
+                                    solid_.nodes.force.data());
   // f_s = −∫ ∂N (σ′ − n_s p), f_f = −∫ ∂N (−n_f p); p is integrated over the fluid's points.
   for (std::size_t i = 0; i < node_count_; ++i) {
     solid_.nodes.force[i] -= ns * pressure_force[i];
