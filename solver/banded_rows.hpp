@@ -6,7 +6,6 @@
 // Rows come in blocks of 256. A block stores its band by diagonals, as wide as its own rows need,
 // so that the loop over rows needs no index and a place with a wide support costs only there.
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -29,12 +28,6 @@ class PaddedValues {
  private:
   std::size_t padding_ = 0;
   LineVector values_;
-};
-
-// Up to two entries of a row of the inner operator: columns first and first + 1.
-struct PointRow {
-  int first;
-  std::array<double, 2> values;
 };
 
 class BandedRows {

@@ -220,7 +220,7 @@ void read_path(TomlSection& section, const Discretization& discretization, TimeS
     section.refuse(
         "path",
         "\"auto\" or \"points\": points can be eliminated with linear shape functions and "
-        "strain = \"cell\", a fixed support and no xpic_order");
+        "no xpic_order");
   }
 }
 
@@ -253,8 +253,7 @@ std::string_view kernel_word(const Discretization& d) {
 bool compact_form_available(const Discretization& d, const TimeSettings& time) {
   const bool linear = d.transfer == TransferName::mls ||
                       (d.transfer == TransferName::shape && d.shape == shape_name<LinearSpline>);
-  // An adaptive support lends the strains of empty cells to points of others.
-  return linear && time.xpic_order == 0 && d.strain == Strain::cell && !d.adaptive_support;
+  return linear && time.xpic_order == 0;
 }
 
 Case load_case(const std::string& path) {

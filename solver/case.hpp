@@ -91,8 +91,8 @@ struct TimeSettings {
 std::string_view kernel_word(const Discretization& discretization);
 
 // Whether a step has the compact form (column_operators.hpp), in which the points can also be
-// eliminated: linear shape functions between nodes and points, strains constant in a cell, and no
-// XPIC, whose update needs the whole column several times.
+// eliminated: linear shape functions between nodes and points, and no XPIC, whose update needs the
+// whole column several times.
 bool compact_form_available(const Discretization& discretization, const TimeSettings& time);
 
 struct Case {

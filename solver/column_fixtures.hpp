@@ -35,6 +35,21 @@ inline PointSet<1> column_points(int per_cell) {
   return points;
 }
 
+inline Discretization recovered(Discretization choice) {
+  choice.strain = Strain::recovered;
+  return choice;
+}
+
+inline Discretization adaptive(Discretization choice) {
+  choice.adaptive_support = true;
+  return choice;
+}
+
+inline std::string strain_title(const Discretization& choice) {
+  return std::string(choice.strain == Strain::recovered ? ", recovered" : "") +
+         (choice.adaptive_support ? ", adaptive" : "");
+}
+
 inline std::vector<Discretization> column_choices() {
   return {shape(),
           mls<BSpline1>(1.0, 0),
@@ -43,7 +58,11 @@ inline std::vector<Discretization> column_choices() {
           mls<BSpline3>(2.0, 2),
           mls<WendlandC2>(5.0, 0),
           mls<WendlandC4>(3.25, 1),
-          mls<WendlandC6>(2.0, 2)};
+          mls<WendlandC6>(2.0, 2),
+          recovered(shape()),
+          recovered(mls<BSpline2>(1.5, 1)),
+          adaptive(mls<BSpline1>(1.0, 1)),
+          recovered(adaptive(mls<BSpline2>(1.5, 1)))};
 }
 
 // Calls check(points, grid, choice) for all choices, few and many points a cell.
@@ -51,7 +70,8 @@ template <class F>
 void for_all_columns(F&& check) {
   for (const int per_cell : {1, 4, 7}) {
     for (const Discretization& choice : column_choices()) {
-      BOOST_TEST_CONTEXT(title(choice) << ", " << per_cell << " points a cell") {
+      BOOST_TEST_CONTEXT(title(choice)
+                         << strain_title(choice) << ", " << per_cell << " points a cell") {
         check(column_points(per_cell), column_grid(), choice);
       }
     }

@@ -11,9 +11,10 @@
 // two forms of the same operators:
 //
 //   compact   points sorted along the column, linear N: a row of weights touches neighbouring
-//             points, the strain is one number a cell, the force at a node is the difference of
-//             the cells' stresses beside it, S_i − S_(i−1). S is the moving least squares value in
-//             the cell's middle, or for `shape` Σ_p V_p s_p/h.
+//             points, the strain is one number a cell (or that and the difference to a neighbour,
+//             shared_strains.hpp), the force at a node is the difference of the cells' stresses
+//             beside it, S_i − S_(i−1). S is the moving least squares value in the cell's middle,
+//             or for `shape` Σ_p V_p s_p/h.
 //   general   any Transfer<1>, by its sparse rows, with the affine velocities of apic and with
 //   XPIC;
 //             whole column only
@@ -34,7 +35,8 @@ struct PointValues {
   std::vector<double> velocity_gradient;  // C_p of apic, 1/s; empty for other transfers
 };
 
-// What scatter does to points; nodal values from the first node of the part on.
+// What scatter does to points; nodal values from the first node of the part on. Of b also the
+// values one node before and one beyond the part must be there, as far as the column reaches.
 struct PointUpdate {
   double flip;           // 1 FLIP ... 0 PIC
   const double* before;  // v_i, m/s

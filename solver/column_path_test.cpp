@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "reference/problem/problem_fixtures.hpp"
+#include "solver/column_fixtures.hpp"
 #include "solver/column_solver.hpp"
-#include "solver/transfer_fixtures.hpp"
 
 using namespace porowave;
 using namespace porowave::solver;
@@ -71,8 +71,9 @@ BOOST_AUTO_TEST_CASE(frozen_is_points_after_ten_thousand_steps) {
 BOOST_AUTO_TEST_CASE(frozen_is_points_for_every_transfer_and_blend) {
   for (const Discretization& transfer :
        {test::shape(), test::mls<BSpline1>(1.0, 1), test::mls<BSpline2>(1.5, 1),
-        test::mls<BSpline3>(2.0, 2), test::mls<WendlandC2>(5.0, 0),
-        test::mls<WendlandC6>(3.0, 1)}) {
+        test::mls<BSpline3>(2.0, 2), test::mls<WendlandC2>(5.0, 0), test::mls<WendlandC6>(3.0, 1),
+        test::recovered(test::mls<BSpline2>(1.5, 1)), test::adaptive(test::mls<BSpline1>(1.0, 1)),
+        test::recovered(test::shape())}) {
     for (const double flip : {1.0, 0.95, 0.0}) {
       BOOST_TEST_CONTEXT(test::title(transfer) << ", flip " << flip) {
         Case scene = scene_with(50, 200, StepPath::automatic);
@@ -157,8 +158,10 @@ BOOST_AUTO_TEST_CASE(an_explosion_is_found_by_both_paths) {
 
 BOOST_AUTO_TEST_CASE(nothing_is_missed_ahead_of_the_signal) {
   for (const StepPath path : {StepPath::points, StepPath::frozen}) {
-    for (const double radius : {1.5, 4.0}) {
+    for (const double radius : {1.5, 4.0, 1.0}) {
       Case scene = scene_with(700, 500, path);
+      scene.discretization.adaptive_support = radius == 1.0;
+      scene.discretization.strain = radius == 1.5 ? Strain::recovered : Strain::cell;
       scene.problem.load = Load(LoadShape::step, 1.0);
       scene.discretization.placement = Placement::jittered;
       scene.discretization.support_radius = radius;
@@ -176,7 +179,8 @@ BOOST_AUTO_TEST_CASE(nothing_is_missed_ahead_of_the_signal) {
 
 BOOST_AUTO_TEST_CASE(threads_do_not_change_a_bit) {
   for (const StepPath path : {StepPath::points, StepPath::frozen}) {
-    const Case scene = scene_with(1000, 40, path);
+    Case scene = scene_with(1000, 40, path);
+    scene.discretization.strain = Strain::recovered;
     ColumnSolver one(scene);
     one.disregard_causality();
     one.run();

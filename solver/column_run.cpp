@@ -42,12 +42,12 @@ bool bounded(std::span<const double> values, double limit) {
 
 }  // namespace
 
-// No point that is eliminated has larger values than nodes and cells.
+// Points that are eliminated have at most the values of nodes, and twice those of cells.
 bool ColumnSolver::surely_bounded(double velocity, double stress) const {
   const auto q = frozen_->node_values();
   const auto e = frozen_->cell_values();
-  return bounded(q[0], velocity) && bounded(q[1], velocity) && bounded(e[0], stress) &&
-         bounded(e[1], stress);
+  return bounded(q[0], velocity) && bounded(q[1], velocity) && bounded(e[0], 0.5 * stress) &&
+         bounded(e[1], 0.5 * stress);
 }
 
 std::optional<Breakdown> ColumnSolver::find_breakdown() const {

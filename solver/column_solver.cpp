@@ -132,7 +132,7 @@ void ColumnSolver::use_threads([[maybe_unused]] std::size_t most) {
 #else
   threads_ = 1;
 #endif
-  const std::vector<double> nodal(part_nodes_ + 1);
+  const std::vector<double> nodal(part_nodes_ + 3);
   scratch_.assign(threads_, {nodal, nodal});
 }
 
@@ -323,8 +323,12 @@ void ColumnSolver::sweep_to_points(Range nodes, PartScratch& scratch) {
       {flip, at(solid_.nodes.velocity), vs, vs, dt_ * m.constrained_modulus, xpic}, cells,
       solid_.values);
   // ṗ = −K (n_s ∂v_s + n_f ∂v_f), both gradients at the fluid's points.
-  double* mixture = scratch.first.data();
-  combine(m.solid_fraction(), vs, m.porosity, vf, cells.size() + 1, mixture);
+  // With a node to either side, as far as the column reaches.
+  const std::size_t before = cells.first > 0 ? 1 : 0;
+  const std::size_t beyond = cells.last + 1 < node_count_ ? 1 : 0;
+  double* mixture = scratch.first.data() + before;
+  combine(m.solid_fraction(), vs - before, m.porosity, vf - before,
+          before + cells.size() + 1 + beyond, scratch.first.data());
   fluid_.prepared.operators->scatter(
       {flip, at(fluid_.nodes.velocity), vf, mixture, -dt_ * m.storage_modulus(), xpic}, cells,
       fluid_.values);

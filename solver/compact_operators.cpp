@@ -72,6 +72,10 @@ CompactOperators::CompactOperators(Transfer<1>&& transfer, const PointSet<1>& po
   std::partial_sum(first_point_.begin(), first_point_.end(), first_point_.begin());
 
   TransferRows rows = std::move(transfer).take_rows();
+  if (rows.strain.row_count() > 0) {
+    shared_strains_ = SharedStrains(rows.strain, first_point_, place_in_cell_);
+    rows.strain = {};
+  }
   node_rows_ = range_rows(std::move(rows.to_nodes));
   if (rows.to_quadrature.row_count() > 0) {
     cell_rows_ = range_rows(std::move(rows.to_quadrature));
@@ -104,7 +108,13 @@ void CompactOperators::gather(const PointValues& points, Range nodes, double* no
 }
 
 void CompactOperators::scatter(const PointUpdate& update, Range cells, PointValues& points) const {
-  scatter_to_cells(update, 1.0 / spacing_, cells, first_point_.data(), place_in_cell_.data(),
+  PointUpdate rest = update;
+  if (!shared_strains_.empty()) {
+    shared_strains_.add(cells, first_point_, place_in_cell_.data(), update.b, update.c / spacing_,
+                        points.stress.data());
+    rest.c = 0.0;
+  }
+  scatter_to_cells(rest, 1.0 / spacing_, cells, first_point_.data(), place_in_cell_.data(),
                    points.velocity.data(), points.stress.data());
 }
 
@@ -117,6 +127,11 @@ void CompactOperators::to_points(const double* nodal, double* at_points) const {
 }
 
 void CompactOperators::gradient_at_points(const double* nodal, double* at_points) const {
+  if (!shared_strains_.empty()) {
+    std::fill_n(at_points, place_in_cell_.size(), 0.0);
+    return shared_strains_.add({0, cell_count()}, first_point_, place_in_cell_.data(), nodal,
+                               1.0 / spacing_, at_points);
+  }
   for (std::size_t c = 0; c < cell_count(); ++c) {
     std::fill(at_points + first_point_[c], at_points + first_point_[c + 1],
               (nodal[c + 1] - nodal[c]) / spacing_);
@@ -141,7 +156,7 @@ std::size_t CompactOperators::reach_of_rows() const {
       reach = std::max({reach, r > first ? r - first : 0, last + 1 > r ? last + 1 - r : 0});
     }
   }
-  return reach + 1;
+  return reach + (shared_strains_.empty() ? 1 : 2);
 }
 
 std::vector<double> CompactOperators::at_cell_centres(std::span<const double> stress) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/column_operators.hpp"
+#include "solver/shared_strains.hpp"
 
 namespace porowave::solver {
 
@@ -32,6 +33,7 @@ class CompactOperators : public ColumnOperators {
   const RangeRows& node_rows() const { return node_rows_; }                // Φ at the nodes
   const RangeRows& cell_rows() const { return cell_rows_; }                // S of the cells
   double place_in_cell(std::size_t p) const { return place_in_cell_[p]; }  // (x_p − x_i)/h
+  const SharedStrains& shared_strains() const { return shared_strains_; }
 
  private:
   std::size_t cell_of(std::size_t point) const;
@@ -41,6 +43,7 @@ class CompactOperators : public ColumnOperators {
   RangeRows cell_rows_;
   std::vector<std::size_t> first_point_;  // of every cell, and the number of points
   std::vector<double> place_in_cell_;
+  SharedStrains shared_strains_;
   std::vector<double> mean_factor_;  // from S to the mean stress of a cell; empty for mls
   double spacing_;
   std::size_t reach_ = 0;

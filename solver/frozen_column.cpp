@@ -110,7 +110,8 @@ std::shared_ptr<const BandedRows> node_band(const CompactOperators& compact) {
 std::shared_ptr<const BandedRows> cell_band(const CompactOperators& compact) {
   const std::vector<int> cell = cells_of_points(compact);
   return std::make_shared<BandedRows>(compact.cell_rows(), [&](std::size_t p) {
-    return PointRow{cell[p], {1.0, 0.0}};
+    return compact.shared_strains().row(static_cast<std::size_t>(cell[p]),
+                                        compact.place_in_cell(p));
   });
 }
 
@@ -134,8 +135,11 @@ void settle_phase(const CompactOperators& at, const double* q, const double* e,
   at.to_points(q, points.velocity.data());
   for (std::size_t c = 0; c < at.cell_count(); ++c) {
     const Range there = at.points_of({c, c + 1});
-    std::fill(points.stress.begin() + static_cast<std::ptrdiff_t>(there.first),
-              points.stress.begin() + static_cast<std::ptrdiff_t>(there.last), e[c]);
+    for (std::size_t p = there.first; p < there.last; ++p) {
+      const PointRow row = at.shared_strains().row(c, at.place_in_cell(p));
+      points.stress[p] = row.values[0] * e[row.first];
+      if (row.values[1] != 0.0) points.stress[p] += row.values[1] * e[row.first + 1];
+    }
   }
 }
 

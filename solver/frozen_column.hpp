@@ -4,7 +4,7 @@
 // a step does to points that started at rest, without stress, is a combination of shape functions:
 //
 //   v_p = Σ_i N_i(x_p) q_i      q ← flip (q − v) + v'
-//   s_p = e(cell of p)          e ← e + c (b_(i+1) − b_i)/h
+//   s_p = e(cell of p)          e ← e + c (b_(i+1) − b_i)/h      (or of two: shared_strains.hpp)
 //
 // with flip, v, v', b, c of PointUpdate. So the nodes need only q, the cells e, of either phase:
 //
@@ -63,7 +63,8 @@ class FrozenColumn {
 
   // Velocities and stresses of all points.
   void settle(PointValues& solid, PointValues& fluid) const;
-  // q of the nodes and e of the cells; no point has larger values.
+  // q of the nodes and e of the cells. No point has a larger velocity, nor more than twice the
+  // stress.
   std::array<std::span<const double>, 2> node_values() const;
   std::array<std::span<const double>, 2> cell_values() const;
 

@@ -3,6 +3,7 @@
 // Sparse rows whose columns are neighbours: the weights of sorted points in one dimension. A row
 // keeps its first column and its values, so a product reads both operands straight through.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -18,6 +19,12 @@ struct Range {
   std::size_t last;
 
   std::size_t size() const { return last - first; }
+};
+
+// Up to two entries of a row: columns first and first + 1.
+struct PointRow {
+  int first;
+  std::array<double, 2> values;
 };
 
 struct RangeRows {

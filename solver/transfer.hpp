@@ -36,10 +36,12 @@ struct PointSet {
   std::vector<double> domain = {};  // edge of the domain of gimp and cpgimp; may else be empty
 };
 
-// Φ as sparse rows, columns are the points. `to_quadrature` is empty for shape.
+// Φ as sparse rows, columns are the points; `to_quadrature` is empty for shape. `strain` from nodes
+// to points where strains are shared between cells (strain_recovery.hpp), else empty.
 struct TransferRows {
   SparseRows to_nodes;
   SparseRows to_quadrature;
+  SparseRows strain;
 };
 
 // What a transfer is made for. `compact_form` leaves out the rows of points that this form of a
@@ -84,7 +86,9 @@ class Transfer {
   std::size_t empty_rows() const { return empty_rows_; }
 
   // Hands the rows over to a faster form of the same operators.
-  TransferRows take_rows() && { return {std::move(node_rows_), std::move(quadrature_rows_)}; }
+  TransferRows take_rows() && {
+    return {std::move(node_rows_), std::move(quadrature_rows_), std::move(strain_rows_)};
+  }
 
  private:
   void build_shape(const PointSet<Dim>& points, const Grid<Dim>& grid);
