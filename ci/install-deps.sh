@@ -17,7 +17,8 @@ say() { echo "install-deps: $*"; }
 fail() { say "$@" >&2; exit 5; }
 
 packages=(g++ cmake make pkg-config libeigen3-dev libgsl-dev libfftw3-dev libboost-dev
-          libboost-test-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libsqlite3-dev
+          libboost-test-dev libbenchmark-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev
+          libfmt-dev libsqlite3-dev
           fonts-dejavu-core)
 # gnuplot-nox would replace gnuplot-qt or gnuplot-x11, and any of them will do.
 command -v gnuplot >/dev/null || packages+=(gnuplot-nox)

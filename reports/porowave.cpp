@@ -62,6 +62,9 @@ int run(int argc, char** argv) {
   porowave::reports::add_explain_command(program, command);
   porowave::reports::add_waves_command(program, command);
   porowave::reports::add_solve_command(program, command);
+  porowave::reports::add_sweep_command(program, command);
+  porowave::reports::add_merge_command(program, command);
+  porowave::reports::add_gate_command(program, command);
   porowave::reports::add_grade_command(program, command);
   porowave::reports::add_demo_command(program, command);
   for (CLI::App* sub : program.get_subcommands({})) {

@@ -147,20 +147,10 @@ BOOST_AUTO_TEST_CASE(an_output_that_cannot_be_written_is_found_before_the_work) 
                 5, {"no/p"});
 }
 
-BOOST_AUTO_TEST_CASE(choices_that_this_version_has_not) {
-  const std::string missing = "is not available in this version";
-  const auto refused = [&](const std::string& table, const std::string& key,
-                           const std::string& value) {
-    CaseText text;
-    const std::string line = key + " = " + value;
-    if (contains(text.text(), "\n" + key + " = ")) {
-      text.set(key, value);
-    } else {
-      text.add(table, line);
-    }
-    check_line(text, table, line, missing);
-  };
-  refused("time", "path", "\"frozen\"");
+BOOST_AUTO_TEST_CASE(points_that_cannot_be_eliminated) {
+  CaseText text;
+  text.without("flip").add("time", "path = \"frozen\"").add("time", "xpic_order = 2");
+  check_line(text, "time", "path = \"frozen\"", "\"auto\" or \"points\"");
 }
 
 BOOST_AUTO_TEST_CASE(keys_that_do_not_belong_together) {

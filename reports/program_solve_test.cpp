@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(the_json_has_errors_and_cost) {
     }
   }
   BOOST_TEST(json.at("errors").size() == 4u);
-  BOOST_TEST(json.at("path").get<std::string>() == "points");
+  BOOST_TEST(json.at("path").get<std::string>() == "frozen");
   BOOST_TEST(json.at("diverged").get<bool>() == false);
   BOOST_TEST(json.at("points").get<int>() == 400);
   const double steps = json.at("steps").get<double>();

@@ -16,7 +16,18 @@ Progress::Progress(std::string what, int total)
 }
 
 Progress::~Progress() {
+  end();
+}
+
+void Progress::set(int done, int total) {
+  done_ = done;
+  total_ = total;
+  show();
+}
+
+void Progress::end() {
   if (terminal_) fmt::print(stderr, "\r\033[K");
+  terminal_ = false;
 }
 
 void Progress::done_one() {

@@ -15,6 +15,8 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void done_one();
+  void set(int done, int total);
+  void end();  ///< clears the line; nothing is shown any more
 
  private:
   void show() const;

@@ -210,7 +210,19 @@ void read_time_order(TomlSection& section, Scheme scheme, TimeSettings& time) {
     section.refuse("xpic_order", "no xpic_order with scheme = \"staggered4\"");
   }
   if (section.is_text("path") && section.text("path") == "points") {
-    section.refuse("path", "\"auto\" with scheme = \"staggered4\", which eliminates the points");
+    section.refuse(
+        "path", "\"auto\" or \"frozen\" with scheme = \"staggered4\", which eliminates the points");
+  }
+}
+
+void read_path(TomlSection& section, const Discretization& discretization, TimeSettings& time) {
+  time.path = static_cast<StepPath>(section.choice_or("path", 0, path_names));
+  if (time.path == StepPath::frozen && discretization.scheme == Scheme::galerkin &&
+      !compact_form_available(discretization, time)) {
+    section.refuse(
+        "path",
+        "\"auto\" or \"points\": points can be eliminated with linear shape functions and "
+        "no xpic_order");
   }
 }
 
@@ -233,9 +245,7 @@ TimeSettings read_time(const TomlDocument& document, const Discretization& discr
   time.courant = read_courant(section);
   read_velocity_update(section, discretization.transfer, time);
   read_time_order(section, discretization.scheme, time);
-  refuse_if(section, "path", "frozen", "\"auto\" or \"points\"");
-  constexpr std::array<std::string_view, 2> paths = {"auto", "points"};
-  section.choice_or("path", 0, paths);
+  read_path(section, discretization, time);
   section.done();
   return time;
 }
@@ -253,6 +263,12 @@ Case read_case(const TomlDocument& document) {
 
 std::string_view kernel_word(const Discretization& d) {
   return d.transfer == TransferName::mls ? to_string(d.kernel) : to_string(d.shape);
+}
+
+bool compact_form_available(const Discretization& d, const TimeSettings& time) {
+  const bool linear = d.transfer == TransferName::mls ||
+                      (d.transfer == TransferName::shape && d.shape == shape_name<LinearSpline>);
+  return linear && time.xpic_order == 0;
 }
 
 Case load_case(const std::string& path) {

@@ -67,16 +67,33 @@ struct Discretization {
   std::vector<double> empty_elements;  // x in m; the elements around them have no points
 };
 
+// How a step is made; the results are the same to rounding.
+enum class StepPath {
+  automatic,  // frozen for as long as that is possible, then points
+  points,     // every step visits the points
+  frozen,     // points eliminated; a run in which they move too far for that is ended
+};
+inline constexpr std::array<std::string_view, 3> path_names = {"auto", "points", "frozen"};
+constexpr std::string_view name(StepPath p) {
+  return path_names[static_cast<std::size_t>(p)];
+}
+
 struct TimeSettings {
   double end = 0.0;      // s
   double courant = 0.5;  // c_1 Δt/h; of courant = "auto", what time_step.hpp chose
   double flip = 1.0;     // 1 FLIP ... 0 PIC
   int xpic_order = 0;    // 1 to 10: XPIC of that order instead of flip (velocity_noise.hpp)
   int order = 2;         // of the time step: 2, or 4 with Scheme::staggered4
+  StepPath path = StepPath::automatic;
 };
 
 // The word for the weighting in a case file, of whatever transfer.
 std::string_view kernel_word(const Discretization& discretization);
+
+// Whether a step has the compact form (column_operators.hpp), in which the points can also be
+// eliminated: linear shape functions between nodes and points, and no XPIC, whose update needs the
+// whole column several times.
+bool compact_form_available(const Discretization& discretization, const TimeSettings& time);
 
 struct Case {
   Problem problem;

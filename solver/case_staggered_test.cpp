@@ -64,8 +64,8 @@ BOOST_AUTO_TEST_CASE(what_does_not_belong_to_it_is_refused) {
   BOOST_TEST(message_for(staggered("", "flip = 0.5\n")) ==
              "case.toml:26: [time] flip = 0.5: expected 1" + with_scheme);
   BOOST_TEST(message_for(staggered("", "path = \"points\"\n")) ==
-             "case.toml:26: [time] path = \"points\": expected \"auto\"" + with_scheme +
-                 ", which eliminates the points");
+             "case.toml:26: [time] path = \"points\": expected \"auto\" or \"frozen\"" +
+                 with_scheme + ", which eliminates the points");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -104,6 +104,26 @@ BOOST_AUTO_TEST_CASE(xpic_takes_the_place_of_flip) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(frozen_is_for_points_that_can_be_eliminated) {
+  const std::string frozen = "path = \"frozen\"\n";
+  const std::string shape = "transfer = \"shape\"";
+  for (const std::string& possible :
+       {std::string(), shape, std::string("kernel = \"bspline3\""),
+        std::string("strain = \"recovered\""), std::string("support_radius = \"adaptive\"")}) {
+    BOOST_TEST((read(lines(possible, frozen)).time.path == StepPath::frozen));
+  }
+  for (const std::string impossible :
+       {"transfer = \"apic\"", "transfer = \"shape\"\nkernel = \"bspline2\"",
+        "transfer = \"shape\"\nkernel = \"cpgimp\""}) {
+    const auto message = message_for(lines(impossible, frozen));
+    BOOST_TEST(message.find("[time] path = \"frozen\": expected \"auto\" or \"points\": points can "
+                            "be eliminated with") != std::string::npos);
+    BOOST_TEST(message_for(lines(impossible, "path = \"auto\"\n")) == "no error");
+  }
+  BOOST_TEST(message_for(lines("", frozen + "xpic_order = 2\n"))
+                 .starts_with("case.toml:25: [time] path = \"frozen\""));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace

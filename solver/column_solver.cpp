@@ -1,24 +1,32 @@
 #include "solver/column_solver.hpp"
 
-#include <fmt/format.h>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <numeric>
 #include <utility>
 
 #include "reference/problem/errors.hpp"
+#include "solver/nodal_loops.hpp"
 #include "solver/particle_domain.hpp"
-#include "solver/velocity_noise.hpp"
 
 namespace porowave::solver {
 
 namespace {
 
-constexpr double growth_limit = 1e6;
-constexpr long steps_between_checks = 16;
 // A half-space ends this much beyond what the fast wave can reach.
 constexpr double half_space_margin = 1.05;
+// Nodes of one part of the column; a thread takes one at a time.
+constexpr std::size_t nodes_of_part = BandedRows::block_rows;
+// A step over fewer points (or nodes, where points are not visited) is done sooner than the other
+// threads of a busy machine have woken up.
+constexpr std::size_t items_worth_threads = 200'000;
+// Velocities ahead of the signal that are left out, as a share of the load's.
+constexpr double negligible = 1e-30;
+constexpr std::size_t window_growth = 16;
 
 Grid<1> make_grid(double length, int elements) {
   return {Vector<1>(0.0), length / elements, CellIndex<1>(elements)};
@@ -29,41 +37,41 @@ long step_count(const Case& scene, double spacing) {
   return std::max(1L, std::lround(std::ceil(scene.time.end / stable * (1.0 - 1e-12))));
 }
 
-std::vector<double> coordinates(const PointSet<1>& points) {
-  std::vector<double> x;
-  x.reserve(points.x.size());
-  for (const Vector<1>& position : points.x) x.push_back(position[0]);
-  return x;
+std::size_t threads_at_hand() {
+#ifdef _OPENMP
+  return static_cast<std::size_t>(omp_get_max_threads());
+#else
+  return 1;
+#endif
 }
 
-std::optional<Breakdown> worst_of(const std::vector<double>& values, const PointSet<1>& points,
-                                  double limit, const char* quantity, long step, double time) {
-  for (std::size_t p = 0; p < values.size(); ++p) {
-    if (std::abs(values[p]) <= limit) continue;  // false for NaN
-    return Breakdown{step, fmt::format("step {}, t = {:.6g} s: {} = {:g} at x = {:.6g} m: {}", step,
-                                       time, quantity, values[p], points.x[p][0],
-                                       std::isfinite(values[p])
-                                           ? "more than 1e6 times the load; try a smaller courant"
-                                           : "not a finite number; try a smaller courant")};
-  }
-  return std::nullopt;
+template <class T>
+void reorder(const std::vector<std::size_t>& order, std::vector<T>& values) {
+  const std::vector<T> old = values;
+  for (std::size_t k = 0; k < order.size(); ++k) values[k] = old[order[k]];
 }
 
 }  // namespace
 
 ColumnSolver::PhaseState ColumnSolver::start(const Discretization& choice, double spacing,
                                              Phase phase, double density) {
-  const PlacedPoints placed = place_points(choice, spacing, phase);
+  PlacedPoints placed = place_points(choice, spacing, phase);
   PhaseState state;
+  state.points.x.reserve(placed.x.size());
+  state.points.mass.reserve(placed.x.size());
   for (std::size_t p = 0; p < placed.x.size(); ++p) {
     state.points.x.emplace_back(placed.x[p]);
     state.points.mass.push_back(density * placed.volume[p]);
   }
-  state.points.volume = placed.volume;
-  state.points.domain = placed.volume;
-  state.velocity.assign(placed.x.size(), 0.0);
-  state.stress.assign(placed.x.size(), 0.0);
-  if (choice.transfer == TransferName::apic) state.velocity_gradient = state.stress;
+  state.points.volume = std::move(placed.volume);
+  state.points.volume.shrink_to_fit();
+  if (choice.transfer != TransferName::mls) state.points.domain = state.points.volume;
+  state.values.velocity.assign(placed.x.size(), 0.0);
+  state.values.stress.assign(placed.x.size(), 0.0);
+  if (choice.transfer == TransferName::apic) state.values.velocity_gradient = state.values.stress;
+  const auto nodes = static_cast<std::size_t>(choice.elements) + 1;
+  state.nodes.resize(nodes);
+  state.displacement.assign(nodes, 0.0);
   return state;
 }
 
@@ -75,21 +83,22 @@ ColumnSolver::ColumnSolver(const Case& scene)
       solid_(start(scene.discretization, grid_.spacing, Phase::solid,
                    scene.problem.material.solid_partial_density())),
       fluid_(start(scene.discretization, grid_.spacing, Phase::fluid,
-                   scene.problem.material.fluid_partial_density())) {
+                   scene.problem.material.fluid_partial_density())),
+      node_count_(static_cast<std::size_t>(grid_.node_count())) {
   dt_ = scene.time.end / static_cast<double>(steps_);
-  const auto nodes = static_cast<std::size_t>(grid_.node_count());
-  solid_nodes_.resize(nodes);
-  fluid_nodes_.resize(nodes);
-  increment_.resize(nodes);
-  solid_displacement_.assign(nodes, 0.0);
-  fluid_displacement_.assign(nodes, 0.0);
   make_weights();
   const bool needs_both = scene.problem.column.near != NearEnd::velocity;
-  if (needs_both && (solid_nodes_.mass[0] <= 0.0 || fluid_nodes_.mass[0] <= 0.0)) {
+  if (needs_both && (solid_.nodes.mass[0] <= 0.0 || fluid_.nodes.mass[0] <= 0.0)) {
     throw BreakdownError(
         "step 0: no point within reach of the loaded end x = 0, nodal mass = 0; "
         "more points per element or a larger support_radius would reach it");
   }
+  const bool parts = solid_.prepared.operators->works_on_parts();
+  part_nodes_ = parts ? nodes_of_part : node_count_;
+  window_ = parts ? std::min(node_count_, window_growth + guard()) : node_count_;
+  lagged_ = guard() <= part_nodes_;
+  if (scene.time.path != StepPath::points) freeze();
+  choose_threads();
 }
 
 double ColumnSolver::grid_length(const Case& scene) {
@@ -102,174 +111,257 @@ std::size_t ColumnSolver::point_count() const {
 }
 
 std::size_t ColumnSolver::reduced_rows() const {
-  return solid_.transfer->reduced_rows() + fluid_.transfer->reduced_rows();
+  return solid_.prepared.reduced_rows + fluid_.prepared.reduced_rows;
 }
 
 std::size_t ColumnSolver::empty_rows() const {
-  return solid_.transfer->empty_rows() + fluid_.transfer->empty_rows();
+  return solid_.prepared.empty_rows + fluid_.prepared.empty_rows;
+}
+
+StepPath ColumnSolver::path() const {
+  return frozen_ && frozen_steps_ == step_ ? StepPath::frozen : StepPath::points;
+}
+
+std::size_t ColumnSolver::guard() const {
+  return std::max(solid_.prepared.operators->reach(), fluid_.prepared.operators->reach());
+}
+
+void ColumnSolver::use_threads([[maybe_unused]] std::size_t most) {
+#ifdef _OPENMP
+  threads_ = std::max<std::size_t>(most, 1);
+#else
+  threads_ = 1;
+#endif
+  const std::vector<double> nodal(part_nodes_ + 3);
+  scratch_.assign(threads_, {nodal, nodal});
+}
+
+void ColumnSolver::choose_threads() {
+  const std::size_t items = frozen_ ? node_count_ : point_count();
+  use_threads(items < items_worth_threads ? 1 : threads_at_hand());
+}
+
+void ColumnSolver::sort_points(PhaseState& state) {
+  const auto& x = state.points.x;
+  const auto before = [](const Vector<1>& a, const Vector<1>& b) { return a[0] < b[0]; };
+  if (std::is_sorted(x.begin(), x.end(), before)) return;
+  std::vector<std::size_t> order(x.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return before(x[a], x[b]); });
+  reorder(order, state.points.x);
+  for (auto* values :
+       {&state.points.volume, &state.points.mass, &state.points.domain, &state.values.velocity,
+        &state.values.stress, &state.values.velocity_gradient}) {
+    if (!values->empty()) reorder(order, *values);
+  }
 }
 
 void ColumnSolver::make_weights() {
-  for (auto [state, nodes] :
-       {std::pair(&solid_, &solid_nodes_), std::pair(&fluid_, &fluid_nodes_)}) {
-    state->transfer = std::make_shared<Transfer<1>>(state->points, grid_, scene_.discretization);
-    nodes->mass = state->transfer->nodal_mass();
-    nodes->volume = state->transfer->nodal_volume();
+  for (PhaseState* state : {&solid_, &fluid_}) {
+    sort_points(*state);
+    state->prepared.operators.reset();
+  }
+  for (PhaseState* state : {&solid_, &fluid_}) {
+    if (state == &fluid_ && phases_share_points()) {
+      share_weights();
+      break;
+    }
+    state->prepared = prepare_phase(state->points, grid_, scene_.discretization, scene_.time);
+    state->nodes.mass = std::move(state->prepared.nodal_mass);
+    state->nodes.volume = std::move(state->prepared.nodal_volume);
+  }
+  update_ = PreparedUpdate(scene_.problem, dt_, solid_.nodes, fluid_.nodes);
+}
+
+bool ColumnSolver::phases_share_points() const {
+  const PointSet<1>& s = solid_.points;
+  const PointSet<1>& f = fluid_.points;
+  return s.x == f.x && s.volume == f.volume && s.domain == f.domain;
+}
+
+// Weights depend on places and volumes alone, nodal masses also on the density, one of each phase.
+void ColumnSolver::share_weights() {
+  const Material& m = scene_.problem.material;
+  fluid_.prepared = solid_.prepared;
+  fluid_.nodes.volume = solid_.nodes.volume;
+  fluid_.nodes.mass = solid_.nodes.mass;
+  for (double& mass : fluid_.nodes.mass) {
+    mass *= m.fluid_partial_density() / m.solid_partial_density();
   }
 }
 
 void ColumnSolver::move_points() {
   if (convects_domains(scene_.discretization.shape)) {
     for (PhaseState* state : {&solid_, &fluid_}) {
-      stretch_domains(*state->transfer, solid_displacement_, state->points.domain);
+      std::vector<double> strain(state->points.x.size());
+      state->prepared.operators->gradient_at_points(solid_.displacement.data(), strain.data());
+      stretch_domains(strain, state->points.domain);
     }
   }
-  for (auto [state, displacement] :
-       {std::pair(&solid_, &solid_displacement_), std::pair(&fluid_, &fluid_displacement_)}) {
-    at_points_.resize(state->velocity.size());
-    state->transfer->to_points(*displacement, at_points_);
-    for (std::size_t p = 0; p < at_points_.size(); ++p) state->points.x[p][0] += at_points_[p];
-    std::fill(displacement->begin(), displacement->end(), 0.0);
+  for (PhaseState* state : {&solid_, &fluid_}) {
+    std::vector<double> moved(state->points.x.size());
+    state->prepared.operators->to_points(state->displacement.data(), moved.data());
+    for (std::size_t p = 0; p < moved.size(); ++p) state->points.x[p][0] += moved[p];
+    std::fill(state->displacement.begin(), state->displacement.end(), 0.0);
   }
 }
 
-void ColumnSolver::nodal_velocities_and_forces() {
-  const double ns = scene_.problem.material.solid_fraction();
-  const double nf = scene_.problem.material.porosity;
-  solid_.transfer->to_nodes(solid_.velocity, solid_nodes_.velocity);
-  fluid_.transfer->to_nodes(fluid_.velocity, fluid_nodes_.velocity);
-  solid_.transfer->add_affine(solid_.velocity_gradient, 0, solid_nodes_.velocity);
-  fluid_.transfer->add_affine(fluid_.velocity_gradient, 0, fluid_nodes_.velocity);
-  solid_.transfer->to_quadrature(solid_.stress, solid_.quadrature);
-  fluid_.transfer->to_quadrature(fluid_.stress, fluid_.quadrature);
-  std::fill(solid_nodes_.force.begin(), solid_nodes_.force.end(), 0.0);
-  std::fill(fluid_nodes_.force.begin(), fluid_nodes_.force.end(), 0.0);
-  // f_s = −∫ ∂N (σ′ − n_s p), f_f = −∫ ∂N (−n_f p); p is integrated over the fluid's points.
-  solid_.transfer->add_divergence(solid_.quadrature, -1.0, 0, solid_nodes_.force);
-  fluid_.transfer->add_divergence(fluid_.quadrature, ns, 0, solid_nodes_.force);
-  fluid_.transfer->add_divergence(fluid_.quadrature, nf, 0, fluid_nodes_.force);
+void ColumnSolver::freeze() {
+  if (!FrozenColumn::possible(*solid_.prepared.operators)) {
+    if (scene_.time.path == StepPath::automatic) return;
+    throw InputError(
+        "time.path = \"frozen\" is not possible with this transfer: expected \"auto\" "
+        "or \"points\"");
+  }
+  const Material& m = scene_.problem.material;
+  frozen_.emplace(
+      solid_.prepared.operators, fluid_.prepared.operators,
+      FrozenColumn::Constants{scene_.time.flip, m.solid_fraction(), m.porosity,
+                              dt_ * m.constrained_modulus, -dt_ * m.storage_modulus(), dt_});
+}
+
+void ColumnSolver::thaw() {
+  if (!frozen_) return;
+  frozen_->settle(solid_.values, fluid_.values);
+  frozen_->displacements(solid_.displacement, fluid_.displacement);
+  frozen_.reset();
+}
+
+StepLoad ColumnSolver::load_between(double before, double after) const {
+  const Load& load = scene_.problem.load;
+  return {load.mean(before, after), load.value(before), load.value(after)};
+}
+
+Range ColumnSolver::part(std::size_t k) const {
+  return {k * part_nodes_, std::min((k + 1) * part_nodes_, window_)};
+}
+
+// The parts [parts.first, parts.last), to the nodes and back to the points. A part can go back when
+// its neighbours have been to the nodes: then its values are still in the cache. What lies beside
+// the parts of another thread is left to finish_parts.
+bool ColumnSolver::sweep_parts(const StepLoad& load, Range parts, PartScratch& scratch) {
+  bool moved = false;
+  for (std::size_t k = parts.first; k < parts.last; ++k) {
+    moved = sweep_to_nodes(load, part(k), scratch) || moved;
+    if (lagged_ && k >= parts.first + 2) sweep_to_points(part(k - 1), scratch);
+  }
+  return moved;
+}
+
+void ColumnSolver::finish_parts(Range parts, PartScratch& scratch) {
+  for (std::size_t k = parts.first; k < parts.last; ++k) {
+    const bool inside = k > parts.first && k + 1 < parts.last;
+    if (!(lagged_ && inside)) sweep_to_points(part(k), scratch);
+  }
+}
+
+bool ColumnSolver::sweep(const StepLoad& load) {
+  const std::size_t parts = (window_ + part_nodes_ - 1) / part_nodes_;
+  bool moved = false;
+#ifdef _OPENMP
+  if (threads_ > 1) {
+#pragma omp parallel num_threads(static_cast <int>(threads_)) reduction(|| : moved)
+    {
+      const auto me = static_cast<std::size_t>(omp_get_thread_num());
+      const auto all = static_cast<std::size_t>(omp_get_num_threads());
+      const Range mine{parts * me / all, parts * (me + 1) / all};
+      moved = sweep_parts(load, mine, scratch_[me]);
+#pragma omp barrier
+      finish_parts(mine, scratch_[me]);
+    }
+    return moved;
+  }
+#endif
+  moved = sweep_parts(load, {0, parts}, scratch_[0]);
+  finish_parts({0, parts}, scratch_[0]);
+  return moved;
+}
+
+bool ColumnSolver::sweep_frozen(const StepLoad& load) {
+  const std::size_t parts = (window_ + part_nodes_ - 1) / part_nodes_;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) num_threads(static_cast <int>(threads_)) if (threads_ > 1)
+#endif
+  for (std::size_t k = 0; k < parts; ++k) {
+    frozen_->step(scene_.problem, load, update_, part(k), solid_.nodes, fluid_.nodes);
+  }
+  frozen_->end_step();
+  // The bound is cheap, the displacements themselves are not: only where it does not do.
+  const double limit = reweight_share * grid_.spacing;
+  if (frozen_->displacement_bound() <= limit) return false;
+  frozen_->displacements(solid_.displacement, fluid_.displacement);
+  return frozen_->displacement_bound() > limit;
+}
+
+bool ColumnSolver::sweep_to_nodes(const StepLoad& load, Range nodes, PartScratch& scratch) {
+  solid_.prepared.operators->gather(
+      solid_.values, nodes, solid_.nodes.velocity.data() + nodes.first, scratch.first.data());
+  fluid_.prepared.operators->gather(
+      fluid_.values, nodes, fluid_.nodes.velocity.data() + nodes.first, scratch.second.data());
+  update_.apply(scene_.problem, load, nodes, {scratch.first.data(), scratch.second.data()},
+                solid_.nodes, fluid_.nodes);
+  const double limit = reweight_share * grid_.spacing;
+  bool moved = false;
+  for (PhaseState* state : {&solid_, &fluid_}) {
+    moved = add_displacement(dt_, state->nodes.new_velocity.data() + nodes.first, nodes.size(),
+                             limit, state->displacement.data() + nodes.first) ||
+            moved;
+  }
+  return moved;
+}
+
+void ColumnSolver::sweep_to_points(Range nodes, PartScratch& scratch) {
+  const Material& m = scene_.problem.material;
+  const Range cells{nodes.first, std::min(nodes.last, node_count_ - 1)};
+  const double flip = scene_.time.flip;
+  const auto at = [&](const std::vector<double>& nodal) { return nodal.data() + nodes.first; };
+  const double* vs = at(solid_.nodes.new_velocity);
+  const double* vf = at(fluid_.nodes.new_velocity);
+  const int xpic = scene_.time.xpic_order;
+  solid_.prepared.operators->scatter(
+      {flip, at(solid_.nodes.velocity), vs, vs, dt_ * m.constrained_modulus, xpic}, cells,
+      solid_.values);
+  // ṗ = −K (n_s ∂v_s + n_f ∂v_f), both gradients at the fluid's points.
+  // With a node to either side, as far as the column reaches.
+  const std::size_t before = cells.first > 0 ? 1 : 0;
+  const std::size_t beyond = cells.last + 1 < node_count_ ? 1 : 0;
+  double* mixture = scratch.first.data() + before;
+  combine(m.solid_fraction(), vs - before, m.porosity, vf - before,
+          before + cells.size() + 1 + beyond, scratch.first.data());
+  fluid_.prepared.operators->scatter(
+      {flip, at(fluid_.nodes.velocity), vf, mixture, -dt_ * m.storage_modulus(), xpic}, cells,
+      fluid_.values);
 }
 
 void ColumnSolver::step() {
   const double t = time();
-  nodal_velocities_and_forces();
-  const Load& load = scene_.problem.load;
-  const double before = t - 0.5 * dt_;
-  const double after = t + 0.5 * dt_;
-  update_nodes(scene_.problem, {load.mean(before, after), load.value(before), load.value(after)},
-               dt_, solid_nodes_, fluid_nodes_);
-  update_points();
+  const StepLoad load = load_between(t - 0.5 * dt_, t + 0.5 * dt_);
+  const bool moved = frozen_ ? sweep_frozen(load) : sweep(load);
   ++step_;
+  end_step(moved);
 }
 
-void ColumnSolver::update_points() {
-  const double flip = scene_.time.flip;
-  double largest = 0.0;
-  for (auto [state, nodes, displacement] :
-       {std::tuple(&solid_, &solid_nodes_, &solid_displacement_),
-        std::tuple(&fluid_, &fluid_nodes_, &fluid_displacement_)}) {
-    // v_p ← flip (v_p + N Δv) + (1 − flip) N v
-    for (std::size_t i = 0; i < increment_.size(); ++i) {
-      increment_[i] = nodes->new_velocity[i] - flip * nodes->velocity[i];
-      (*displacement)[i] += dt_ * nodes->new_velocity[i];
-      largest = std::max(largest, std::abs((*displacement)[i]));
-    }
-    at_points_.resize(state->velocity.size());
-    if (scene_.time.xpic_order > 0) {
-      remove_velocity_noise(*state->transfer, scene_.time.xpic_order, nodes->velocity,
-                            state->velocity);
-    }
-    if (!state->velocity_gradient.empty()) {
-      state->transfer->gradient_at_points(nodes->new_velocity, 0, state->velocity_gradient);
-    }
-    state->transfer->to_points(increment_, at_points_);
-    for (std::size_t p = 0; p < at_points_.size(); ++p) {
-      state->velocity[p] = flip * state->velocity[p] + at_points_[p];
-    }
-  }
-
-  const Material& m = scene_.problem.material;
-  at_points_.resize(solid_.stress.size());
-  solid_.transfer->gradient_at_points(solid_nodes_.new_velocity, 0, at_points_);
-  for (std::size_t p = 0; p < at_points_.size(); ++p) {
-    solid_.stress[p] += dt_ * m.constrained_modulus * at_points_[p];
-  }
-  // ṗ = −K (n_s ∂v_s + n_f ∂v_f), both gradients at the fluid's points.
-  for (std::size_t i = 0; i < increment_.size(); ++i) {
-    increment_[i] = m.solid_fraction() * solid_nodes_.new_velocity[i] +
-                    m.porosity * fluid_nodes_.new_velocity[i];
-  }
-  at_points_.resize(fluid_.stress.size());
-  fluid_.transfer->gradient_at_points(increment_, 0, at_points_);
-  for (std::size_t p = 0; p < at_points_.size(); ++p) {
-    fluid_.stress[p] -= dt_ * m.storage_modulus() * at_points_[p];
-  }
-
-  if (largest > reweight_share * grid_.spacing) {
-    move_points();
-    make_weights();
-  }
+void ColumnSolver::end_step(bool moved) {
+  if (frozen_) ++frozen_steps_;
+  widen_window();
+  if (!moved) return;
+  thaw();
+  move_points();
+  make_weights();
 }
 
-std::optional<Breakdown> ColumnSolver::find_breakdown() const {
-  const double stress = growth_limit * scene_.problem.stress_scale();
-  const double velocity = growth_limit * scene_.problem.velocity_scale();
-  const auto check = [&](const auto& values, const PhaseState& state, double limit,
-                         const char* quantity) {
-    return worst_of(values, state.points, limit, quantity, step_, time());
-  };
-  if (auto found = check(solid_.stress, solid_, stress, "effective_stress")) return found;
-  if (auto found = check(fluid_.stress, fluid_, stress, "pore_pressure")) return found;
-  if (auto found = check(solid_.velocity, solid_, velocity, "solid_velocity")) return found;
-  return check(fluid_.velocity, fluid_, velocity, "fluid_velocity");
-}
-
-std::optional<Breakdown> ColumnSolver::run() {
-  while (step_ < steps_) {
-    step();
-    if (step_ % steps_between_checks != 0 && step_ < steps_) continue;
-    if (auto found = find_breakdown()) return found;
+void ColumnSolver::widen_window() {
+  if (window_ == node_count_) return;
+  const double limit = negligible * scene_.problem.velocity_scale();
+  const auto values = frozen_ ? frozen_->node_values()
+                              : std::array{std::span<const double>(solid_.nodes.new_velocity),
+                                           std::span<const double>(fluid_.nodes.new_velocity)};
+  for (std::size_t i = window_ - std::min(window_, guard()); i < window_; ++i) {
+    if (std::abs(values[0][i]) <= limit && std::abs(values[1][i]) <= limit) continue;
+    window_ = std::min(node_count_, window_ + window_growth + guard());
+    return;
   }
-  return std::nullopt;
-}
-
-void ColumnSolver::synchronise_velocities() {
-  const double t = time();
-  const double before = t - 0.5 * dt_;
-  nodal_velocities_and_forces();
-  const Load& load = scene_.problem.load;
-  update_nodes(scene_.problem, {load.mean(before, t), load.value(before), load.value(t)}, 0.5 * dt_,
-               solid_nodes_, fluid_nodes_);
-  for (auto [state, nodes] :
-       {std::pair(&solid_, &solid_nodes_), std::pair(&fluid_, &fluid_nodes_)}) {
-    for (std::size_t i = 0; i < increment_.size(); ++i) {
-      increment_[i] = nodes->new_velocity[i] - nodes->velocity[i];
-    }
-    at_points_.resize(state->velocity.size());
-    state->transfer->to_points(increment_, at_points_);
-    for (std::size_t p = 0; p < at_points_.size(); ++p) state->velocity[p] += at_points_[p];
-  }
-}
-
-Snapshot ColumnSolver::snapshot() const {
-  ColumnSolver now(*this);
-  if (step_ > 0) now.synchronise_velocities();
-  now.move_points();
-  const auto points_of = [](const PhaseState& state) {
-    return PhasePoints{coordinates(state.points), state.points.volume, state.velocity,
-                       state.stress};
-  };
-  Snapshot snapshot;
-  snapshot.time = time();
-  snapshot.solid = points_of(now.solid_);
-  snapshot.fluid = points_of(now.fluid_);
-  snapshot.effective_stress = solid_.transfer->at_cell_centres(solid_.stress);
-  snapshot.pore_pressure = fluid_.transfer->at_cell_centres(fluid_.stress);
-  snapshot.solid_velocity = now.solid_nodes_.new_velocity;
-  snapshot.fluid_velocity = now.fluid_nodes_.new_velocity;
-  for (int c = 0; c < grid_.cell_count(); ++c) snapshot.cell_x.push_back(grid_.cell_centre(c)[0]);
-  for (int i = 0; i < grid_.node_count(); ++i) snapshot.node_x.push_back(grid_.node_position(i)[0]);
-  return snapshot;
 }
 
 }  // namespace porowave::solver

@@ -12,18 +12,30 @@
 // strains: volumes and porosity stay as they are, weights are renewed when points may have moved by
 // more than `reweight_share` of h.
 //
+// Where the points have not moved by that much since the weights were made, they are eliminated
+// (frozen_column.hpp), unless the case says otherwise or its transfer does not allow it: the first
+// time they move farther they are brought up to date, and the run goes on with them.
+//
+// Causality: the run starts at rest and every wave comes from x = 0, so only the nodes up to a
+// little ahead of the signal are stepped. Beyond, velocities would be below 1e-30 of the load's;
+// the results are the same to rounding. (Stepping them is worse than useless: farther ahead the
+// values are too small for normal floating point numbers, which costs a hundred times as much.)
+//
+// Large scenes use OpenMP's threads. No sum depends on their number, so neither do the results.
+//
 // Limits of this version: linear elastic solid, one dimension, strains small; the far end
 // "half_space" is a column too long for a reflection to arrive before the end of the run.
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "solver/case.hpp"
+#include "solver/column_operators.hpp"
+#include "solver/frozen_column.hpp"
 #include "solver/nodal_update.hpp"
 #include "solver/placement.hpp"
-#include "solver/transfer.hpp"
+#include "solver/prepared_update.hpp"
 
 namespace porowave::solver {
 
@@ -59,7 +71,8 @@ struct Breakdown {
 
 class ColumnSolver {
  public:
-  // Throws BreakdownError if the loaded end has no point within reach.
+  // Throws BreakdownError if the loaded end has no point within reach, InputError if the case asks
+  // for path = "frozen" and its transfer has no compact form.
   explicit ColumnSolver(const Case& scene);
 
   double time_step() const { return dt_; }  // s; the run ends exactly at scene.time.end
@@ -72,47 +85,81 @@ class ColumnSolver {
   std::size_t point_count() const;
   std::size_t reduced_rows() const;  // evaluations that had to lower the basis order
   std::size_t empty_rows() const;    // nodes and cell middles that no point reaches
+  // The path of the steps done so far: frozen if all of them were.
+  StepPath path() const;
+  long frozen_steps() const { return frozen_steps_; }
+
+  // Large scenes take the threads that OpenMP offers, others one; a caller that runs many cases
+  // side by side sets 1. Without OpenMP it stays at 1.
+  void use_threads(std::size_t most);
+  std::size_t threads() const { return threads_; }
+  // Steps all nodes from now on, also those that no signal can have reached.
+  void disregard_causality() { window_ = node_count_; }
 
   void step();
   // Runs to the planned end. Stops early, and says why, when a field is not finite or more than
-  // 10^6 times as large as the load.
+  // 10^6 times as large as the load, and when path = "frozen" is asked for and points have moved by
+  // more than reweight_share of h.
   std::optional<Breakdown> run();
   // Velocities are brought to the time of the stresses by half a step, on a copy.
   Snapshot snapshot() const;
 
  private:
   struct PhaseState {
-    PointSet<1> points;
-    std::vector<double> velocity;
-    std::vector<double> stress;
-    std::vector<double> velocity_gradient;        // C_p of apic, 1/s; else empty
-    std::shared_ptr<const Transfer<1>> transfer;  // shared by copies, never changed
-    std::vector<double> quadrature;               // stress or pressure there
+    PointSet<1> points;  // sorted by x
+    PointValues values;
+    PreparedPhase prepared;
+    PhaseNodes nodes;
+    std::vector<double> displacement;  // nodal, since the weights were made
+  };
+  // Nodal scratch of one thread.
+  struct PartScratch {
+    std::vector<double> first;
+    std::vector<double> second;
   };
 
   static PhaseState start(const Discretization& choice, double spacing, Phase phase,
                           double density);
+  static void sort_points(PhaseState& state);
+  std::size_t guard() const;  // nodes that a signal can cross in a step, at most
+  void choose_threads();
   void make_weights();
-  void move_points();  // from the nodal displacement since the weights were made
-  void nodal_velocities_and_forces();
-  void update_points();
+  bool phases_share_points() const;
+  void share_weights();  // the solid's for both phases
+  void move_points();    // from the nodal displacement since the weights were made
+  void freeze();
+  void thaw();  // brings the points up to date
+  StepLoad load_between(double before, double after) const;
+  Range part(std::size_t k) const;
+  bool sweep(const StepLoad& load);  // whether points have moved too far
+  bool sweep_frozen(const StepLoad& load);
+  bool sweep_parts(const StepLoad& load, Range parts, PartScratch& scratch);
+  void finish_parts(Range parts, PartScratch& scratch);
+  bool sweep_to_nodes(const StepLoad& load, Range nodes, PartScratch& scratch);
+  void sweep_to_points(Range nodes, PartScratch& scratch);
+  void end_step(bool moved);
+  void widen_window();
   void synchronise_velocities();  // half a step, after which the object cannot step on
+  bool surely_bounded(double velocity, double stress) const;
   std::optional<Breakdown> find_breakdown() const;
+  Breakdown moved_too_far() const;  // for path = "frozen"
 
   Case scene_;
   Grid<1> grid_;
   double dt_;
   long steps_;
   long step_ = 0;
+  long frozen_steps_ = 0;
   PhaseState solid_;
   PhaseState fluid_;
-  PhaseNodes solid_nodes_;
-  PhaseNodes fluid_nodes_;
-  std::vector<double> solid_displacement_;  // nodal, since the weights were made
-  std::vector<double> fluid_displacement_;
-  std::vector<double> increment_;  // scratch, nodal
-  std::vector<double> at_points_;  // scratch
-  std::vector<double> more_at_points_;
+  PreparedUpdate update_;
+  std::optional<FrozenColumn> frozen_;  // then the points are as they were at its start
+  std::size_t node_count_;
+  std::size_t window_;      // nodes that are stepped: the first ones
+  std::size_t part_nodes_;  // nodes of one part of the column
+  bool lagged_;             // whether a part reaches no farther than the next one
+  std::size_t threads_;
+  std::vector<PartScratch> scratch_;  // one a thread
 };
 
 }  // namespace porowave::solver

@@ -17,12 +17,12 @@ void move_free_node(double drag, double dt, std::size_t i, PhaseNodes& s, PhaseN
   const double ms = s.mass[i];
   const double mf = f.mass[i];
   if (ms > 0.0 && mf > 0.0) {
-    const double theta = drag * std::min(s.volume[i], f.volume[i]) * (1.0 / ms + 1.0 / mf);
+    const Drag over_step = drag_over(drag, dt, s, f, i);
     const double mean = (ms * s.velocity[i] + mf * f.velocity[i]) / (ms + mf);
     const double new_mean = mean + dt * (s.force[i] + f.force[i]) / (ms + mf);
     const double relative = f.velocity[i] - s.velocity[i];
     const double driving = f.force[i] / mf - s.force[i] / ms;
-    const double new_relative = relative * std::exp(-theta * dt) + driving * dt * phi_1(theta * dt);
+    const double new_relative = relative * over_step.decay + driving * over_step.effective_time;
     s.new_velocity[i] = new_mean - mf / (ms + mf) * new_relative;
     f.new_velocity[i] = new_mean + ms / (ms + mf) * new_relative;
   } else if (ms > 0.0) {
@@ -108,14 +108,28 @@ void PhaseNodes::resize(std::size_t nodes) {
   for (auto* values : {&mass, &volume, &velocity, &force, &new_velocity}) values->resize(nodes);
 }
 
+Drag drag_over(double drag, double dt, const PhaseNodes& s, const PhaseNodes& f, std::size_t i) {
+  const double theta =
+      drag * std::min(s.volume[i], f.volume[i]) * (1.0 / s.mass[i] + 1.0 / f.mass[i]);
+  return {std::exp(-theta * dt), dt * phi_1(theta * dt)};
+}
+
+void update_node(const Problem& problem, const StepLoad& load, double dt, std::size_t i,
+                 PhaseNodes& solid, PhaseNodes& fluid) {
+  if (i == 0) {
+    move_near_end(problem, load, dt, solid, fluid);
+  } else if (i + 1 == solid.mass.size()) {
+    move_far_end(problem, dt, solid, fluid);
+  } else {
+    move_free_node(problem.material.drag(), dt, i, solid, fluid);
+  }
+}
+
 void update_nodes(const Problem& problem, const StepLoad& load, double dt, PhaseNodes& solid,
                   PhaseNodes& fluid) {
-  const double drag = problem.material.drag();
-  for (std::size_t i = 1; i + 1 < solid.mass.size(); ++i) {
-    move_free_node(drag, dt, i, solid, fluid);
+  for (std::size_t i = 0; i < solid.mass.size(); ++i) {
+    update_node(problem, load, dt, i, solid, fluid);
   }
-  move_near_end(problem, load, dt, solid, fluid);
-  move_far_end(problem, dt, solid, fluid);
 }
 
 }  // namespace porowave::solver

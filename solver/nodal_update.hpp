@@ -2,6 +2,7 @@
 
 // Momentum of both phases at the nodes over one step: forces, drag, and what the ends prescribe.
 
+#include <cstddef>
 #include <vector>
 
 #include "reference/problem/problem.hpp"
@@ -26,6 +27,15 @@ struct StepLoad {
   double after;
 };
 
+// Drag over a step of dt at a node that both phases reach: the relative velocity is multiplied by
+// `decay` and gains its driving acceleration times `effective_time`, s.
+struct Drag {
+  double decay;
+  double effective_time;
+};
+Drag drag_over(double drag, double dt, const PhaseNodes& solid, const PhaseNodes& fluid,
+               std::size_t node);
+
 // From velocities before the step and internal forces, the velocities after a step of dt.
 //
 // Drag is integrated exactly in the relative velocity w = v_f − v_s for forces constant over the
@@ -38,5 +48,8 @@ struct StepLoad {
 // reach, that phase moves with the other one.
 void update_nodes(const Problem& problem, const StepLoad& load, double dt, PhaseNodes& solid,
                   PhaseNodes& fluid);
+// The same for one node.
+void update_node(const Problem& problem, const StepLoad& load, double dt, std::size_t node,
+                 PhaseNodes& solid, PhaseNodes& fluid);
 
 }  // namespace porowave::solver

@@ -7,13 +7,10 @@
 
 #include <span>
 
-#include "solver/transfer.hpp"
-
 namespace porowave::solver {
 
-// A domain that would turn inside out keeps a tenth of its length: such a run is about to be
-// stopped by its breakdown check.
-void stretch_domains(const Transfer<1>& transfer, std::span<const double> nodal_displacement,
-                     std::span<double> domain);
+// `strain` is that increment of ∂u_s/∂x at the points, `domain` their l. A domain that would turn
+// inside out keeps a tenth of its length: such a run is about to be stopped by its breakdown check.
+void stretch_domains(std::span<const double> strain, std::span<double> domain);
 
 }  // namespace porowave::solver

@@ -19,6 +19,7 @@
 
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "solver/case.hpp"
@@ -35,12 +36,26 @@ struct PointSet {
   std::vector<double> domain = {};  // edge of the domain of gimp and cpgimp; may else be empty
 };
 
+// Φ as sparse rows, columns are the points; `to_quadrature` is empty for shape. `strain` from nodes
+// to points where strains are shared between cells (strain_recovery.hpp), else empty.
+struct TransferRows {
+  SparseRows to_nodes;
+  SparseRows to_quadrature;
+  SparseRows strain;
+};
+
+// What a transfer is made for. `compact_form` leaves out the rows of points that this form of a
+// step (column_operators.hpp) has no use for, half of all memory: to_points and gradient_at_points
+// then throw std::invalid_argument.
+enum class TransferUse { all, compact_form };
+
 template <int Dim>
 class Transfer {
  public:
   // Throws std::invalid_argument for positions that are not finite, and for recovered strains in
   // more than one dimension.
-  Transfer(const PointSet<Dim>& points, const Grid<Dim>& grid, const Discretization& choice);
+  Transfer(const PointSet<Dim>& points, const Grid<Dim>& grid, const Discretization& choice,
+           TransferUse use = TransferUse::all);
 
   // Kilograms (per unit area in 1D); zero where no point reaches the node.
   const std::vector<double>& nodal_mass() const { return nodal_mass_; }
@@ -69,6 +84,11 @@ class Transfer {
   // Evaluations of moving least squares that had to lower the order; and those without any point.
   std::size_t reduced_rows() const { return reduced_rows_; }
   std::size_t empty_rows() const { return empty_rows_; }
+
+  // Hands the rows over to a faster form of the same operators.
+  TransferRows take_rows() && {
+    return {std::move(node_rows_), std::move(quadrature_rows_), std::move(strain_rows_)};
+  }
 
  private:
   void build_shape(const PointSet<Dim>& points, const Grid<Dim>& grid);

@@ -18,9 +18,9 @@ namespace {
 /// A reference worse than this could decide a comparison.
 constexpr double sufficient_reference = 1e-6;
 
-double thread_cpu_seconds() {
+double cpu_seconds(clockid_t clock) {
   timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  clock_gettime(clock, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
@@ -55,15 +55,20 @@ namespace {
 template <class Solver>
 RunResult run_with(const solver::Case& scene) {
   const auto wall = std::chrono::steady_clock::now();
-  const double cpu = thread_cpu_seconds();
+  const double thread_cpu = cpu_seconds(CLOCK_THREAD_CPUTIME_ID);
+  const double process_cpu = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
   Solver solver(scene);
   RunResult result;
   result.breakdown = solver.run();
-  result.cost.cpu_seconds = thread_cpu_seconds() - cpu;
+  result.cost.cpu_seconds = solver.threads() == 1
+                                ? cpu_seconds(CLOCK_THREAD_CPUTIME_ID) - thread_cpu
+                                : cpu_seconds(CLOCK_PROCESS_CPUTIME_ID) - process_cpu;
   result.cost.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
   result.snapshot = solver.snapshot();
   result.steps = solver.steps_done();
+  result.path = solver.path();
+  result.frozen_steps = solver.frozen_steps();
   result.time_step = solver.time_step();
   const double spacing = solver::ColumnSolver::grid_length(scene) / scene.discretization.elements;
   result.courant = wave_speeds(scene.problem.material).p1 * result.time_step / spacing;

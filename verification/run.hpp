@@ -9,7 +9,8 @@
 
 namespace porowave::verification {
 
-/// What a run cost. CPU time is of the calling thread; neither includes the reference.
+/// What a run cost, without the reference. CPU time is of the calling thread, or of the whole
+/// process where the solver used several.
 struct Cost {
   double wall_seconds = 0.0;
   double cpu_seconds = 0.0;
@@ -23,6 +24,8 @@ struct RunResult {
   FieldErrors errors;
   std::optional<solver::Breakdown> breakdown;  ///< then the snapshot is that of the broken run
   long steps = 0;
+  solver::StepPath path = solver::StepPath::points;  ///< frozen if all steps were
+  long frozen_steps = 0;
   double time_step = 0.0;  ///< s
   double courant = 0.0;    ///< c_1 Δt/h of that step; the case's, or less to end at time.end
   std::size_t points = 0;  ///< of both phases

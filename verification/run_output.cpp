@@ -38,7 +38,8 @@ void write_points_csv(const solver::Snapshot& snapshot, std::ostream& out) {
 std::string run_json(const RunResult& result) {
   Json json;
   json["errors"] = result.breakdown ? Json(nullptr) : errors_json(result.errors);
-  json["path"] = "points";
+  json["path"] = solver::name(result.path);
+  json["frozen_steps"] = result.frozen_steps;
   json["time"] = number(result.snapshot.time);
   json["time_step"] = number(result.time_step);
   json["courant"] = number(result.courant);

@@ -62,7 +62,8 @@ BOOST_AUTO_TEST_CASE(json_holds_every_norm_of_every_field) {
     BOOST_TEST(field.at("field").at("l2").get<double>() == result.errors[f].field.l2);
     BOOST_TEST(field.at("field").at("linf").get<double>() == result.errors[f].field.linf);
   }
-  BOOST_TEST(json.at("path") == "points");
+  BOOST_TEST(json.at("path") == "frozen");
+  BOOST_TEST(json.at("frozen_steps").get<long>() == result.steps);
   BOOST_TEST(json.at("steps").get<long>() == result.steps);
   // The step is shortened so that the run ends at time.end, by less than one step in all.
   const double courant = json.at("courant").get<double>();
@@ -72,6 +73,27 @@ BOOST_AUTO_TEST_CASE(json_holds_every_norm_of_every_field) {
   for (const char* key : {"wall_seconds", "cpu_seconds", "ns_per_point_step", "peak_rss_bytes"}) {
     BOOST_TEST(json.at(key).is_number());
   }
+}
+
+BOOST_AUTO_TEST_CASE(json_says_which_path_ran) {
+  Case scene = small_case();
+  scene.time.path = solver::StepPath::points;
+  const RunResult result = run_case(scene, *reference_profile(scene));
+  const auto json = nlohmann::json::parse(run_json(result));
+  BOOST_TEST(json.at("path") == "points");
+  BOOST_TEST(json.at("frozen_steps") == 0);
+}
+
+BOOST_AUTO_TEST_CASE(json_says_that_staggered4_visits_no_points) {
+  Case scene = small_case();
+  scene.discretization.scheme = solver::Scheme::staggered4;
+  scene.discretization.kernel = solver::kernel_name<solver::WendlandC2>;
+  scene.discretization.basis_order = 2;
+  scene.discretization.support_radius = 2.0;
+  const RunResult result = run_case(scene, *reference_profile(scene));
+  const auto json = nlohmann::json::parse(run_json(result));
+  BOOST_TEST(json.at("path") == "frozen");
+  BOOST_TEST(json.at("frozen_steps").get<long>() == result.steps);
 }
 
 BOOST_AUTO_TEST_CASE(an_explosion_is_reported_with_step_and_quantity) {

@@ -41,6 +41,10 @@ class StaggeredSolver {
   long steps_done() const { return step_; }
   double time() const { return dt_ * static_cast<double>(step_); }
   std::size_t point_count() const { return solid_.point_count() + fluid_.point_count(); }
+  // Points are visited for output only, on one thread.
+  StepPath path() const { return StepPath::frozen; }
+  long frozen_steps() const { return step_; }
+  static std::size_t threads() { return 1; }
   // Evaluations that had to lower the basis order, even with an enlarged support.
   std::size_t reduced_rows() const { return solid_.reduced_rows() + fluid_.reduced_rows(); }
   std::size_t empty_rows() const { return 0; }  // such a case is refused

@@ -201,6 +201,21 @@ std::optional<Record> Store::find(const std::string& id) const {
   return record_of(rows);
 }
 
+std::vector<Record> Store::beginning_with(const std::string& id) const {
+  Statement rows = database_.prepare(select_sql(" WHERE substr(id, 1, ?) = ?"));
+  rows.bind(0, static_cast<std::int64_t>(id.size()));
+  rows.bind(1, id);
+  std::vector<Record> records;
+  while (rows.step()) records.push_back(record_of(rows));
+  return records;
+}
+
+std::size_t Store::count() const {
+  Statement rows = database_.prepare("SELECT count(*) FROM cases");
+  rows.step();
+  return static_cast<std::size_t>(rows.integer(0));
+}
+
 std::vector<Record> Store::all(const std::string& study) const {
   Statement rows = database_.prepare(select_sql(study.empty() ? "" : " WHERE study = ?"));
   if (!study.empty()) rows.bind(0, study);

@@ -28,6 +28,8 @@ class Store {
   std::set<std::string> finished_ids() const;
   bool finished(const std::string& id) const;
   std::optional<Record> find(const std::string& id) const;
+  std::vector<Record> beginning_with(const std::string& id) const;
+  std::size_t count() const;
   /// All rows (of one study, if named), in the order of their ids.
   std::vector<Record> all(const std::string& study = "") const;
 

@@ -149,7 +149,7 @@ void require_distinct(const Study& study) {
 
 Study read_study(const TomlDocument& document) {
   document.only({"material", "column", "load", "discretization", "time", "study", "axes", "refine",
-                 "exclude"});
+                 "exclude", "gate", "known_failure"});
   Study study;
   study.path = document.path();
   TomlSection section = document.section("study");
@@ -166,7 +166,8 @@ Study read_study(const TomlDocument& document) {
         fmt::format("{}: [axes]: {} cases: expected at most {}", study.path, count, most_cases));
   }
   std::vector<TomlValue> at;
-  const TomlDocument alone = document.without({"study", "axes", "refine", "exclude"});
+  const TomlDocument alone =
+      document.without({"study", "axes", "refine", "exclude", "gate", "known_failure"});
   expand(alone, read_exclusions(document, study.axes), at, study);
   require_distinct(study);
   if (study.cases.empty()) {

@@ -35,6 +35,7 @@ struct StudyCase {
 ///   [refine] by = "discretization.elements"                           an axis of numbers
 ///   [[exclude]]                          leaves out cases that have all of these values;
 ///           "discretization.kernel" = "bspline1"       a list stands for any of its entries
+///   [gate], [[known_failure]]            what it is judged by: gate/gate.hpp
 struct Study {
   std::string path;
   std::string name;

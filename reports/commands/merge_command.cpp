@@ -1,0 +1,44 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "reports/commands/commands.hpp"
+#include "verification/store/store.hpp"
+
+namespace porowave::reports {
+
+namespace {
+
+struct Options {
+  std::string target;
+  std::vector<std::string> sources;
+};
+
+int run_merge(const Options& options) {
+  // What is no store is refused before anything is written.
+  for (const std::string& source : options.sources) verification::Store::open(source);
+  auto store = verification::Store::create_or_open(options.target);
+  const std::size_t before = store.count();
+  for (const std::string& source : options.sources) store.merge(source);
+  fmt::print("{} rows, {} of them new\nwrote {}\n", store.count(), store.count() - before,
+             options.target);
+  return 0;
+}
+
+}  // namespace
+
+void add_merge_command(CLI::App& program, Command& run) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("merge", "Put the rows of several stores into one");
+  command->add_option("target", options->target, "Store that takes them; made if it is not there")
+      ->required();
+  command->add_option("sources", options->sources, "Stores of shards")->required();
+  command->footer(
+      "Rows are keyed by case: a row that is there already stays, so merging again changes "
+      "nothing.\n"
+      "Example: porowave merge results shard1 shard2");
+  command->callback([options, &run] { run = [options] { return run_merge(*options); }; });
+}
+
+}  // namespace porowave::reports

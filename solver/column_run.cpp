@@ -1,0 +1,143 @@
+// Running to the end, and looking at a run: the parts of ColumnSolver that are no steps.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "solver/column_solver.hpp"
+
+namespace porowave::solver {
+
+namespace {
+
+constexpr double growth_limit = 1e6;
+constexpr long steps_between_checks = 16;
+
+std::vector<double> coordinates(const PointSet<1>& points) {
+  std::vector<double> x;
+  x.reserve(points.x.size());
+  for (const Vector<1>& position : points.x) x.push_back(position[0]);
+  return x;
+}
+
+std::optional<Breakdown> worst_of(const std::vector<double>& values, const PointSet<1>& points,
+                                  double limit, const char* quantity, long step, double time) {
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    if (std::abs(values[p]) <= limit) continue;  // false for NaN
+    return Breakdown{step, fmt::format("step {}, t = {:.6g} s: {} = {:g} at x = {:.6g} m: {}", step,
+                                       time, quantity, values[p], points.x[p][0],
+                                       std::isfinite(values[p])
+                                           ? "more than 1e6 times the load; try a smaller courant"
+                                           : "not a finite number; try a smaller courant")};
+  }
+  return std::nullopt;
+}
+
+bool bounded(std::span<const double> values, double limit) {
+  return std::all_of(values.begin(), values.end(),
+                     [limit](double value) { return std::abs(value) <= limit; });
+}
+
+}  // namespace
+
+// Points that are eliminated have at most the values of nodes, and twice those of cells.
+bool ColumnSolver::surely_bounded(double velocity, double stress) const {
+  const auto q = frozen_->node_values();
+  const auto e = frozen_->cell_values();
+  return bounded(q[0], velocity) && bounded(q[1], velocity) && bounded(e[0], 0.5 * stress) &&
+         bounded(e[1], 0.5 * stress);
+}
+
+std::optional<Breakdown> ColumnSolver::find_breakdown() const {
+  const double stress = growth_limit * scene_.problem.stress_scale();
+  const double velocity = growth_limit * scene_.problem.velocity_scale();
+  if (frozen_) {
+    if (surely_bounded(velocity, stress)) return std::nullopt;
+    ColumnSolver now(*this);
+    now.thaw();
+    return now.find_breakdown();
+  }
+  const auto check = [&](const auto& values, const PhaseState& state, double limit,
+                         const char* quantity) {
+    return worst_of(values, state.points, limit, quantity, step_, time());
+  };
+  if (auto found = check(solid_.values.stress, solid_, stress, "effective_stress")) return found;
+  if (auto found = check(fluid_.values.stress, fluid_, stress, "pore_pressure")) return found;
+  if (auto found = check(solid_.values.velocity, solid_, velocity, "solid_velocity")) return found;
+  return check(fluid_.values.velocity, fluid_, velocity, "fluid_velocity");
+}
+
+Breakdown ColumnSolver::moved_too_far() const {
+  double stress = 0.0;
+  for (const double s : solid_.values.stress) stress = std::max(stress, std::abs(s));
+  return {step_,
+          fmt::format("step {}, t = {:.6g} s: displacement is more than {:g} of an element, "
+                      "which path = \"frozen\" does not allow (effective_stress is up to "
+                      "{:g} times the load); expected path = \"auto\" or \"points\"",
+                      step_, time(), reweight_share, stress / scene_.problem.stress_scale())};
+}
+
+std::optional<Breakdown> ColumnSolver::run() {
+  while (step_ < steps_) {
+    step();
+    if (scene_.time.path == StepPath::frozen && !frozen_) {
+      return moved_too_far();
+    }
+    if (step_ % steps_between_checks != 0 && step_ < steps_) continue;
+    if (auto found = find_breakdown()) return found;
+  }
+  return std::nullopt;
+}
+
+void ColumnSolver::synchronise_velocities() {
+  const double t = time();
+  const double before = t - 0.5 * dt_;
+  const double ns = scene_.problem.material.solid_fraction();
+  const double nf = scene_.problem.material.porosity;
+  std::vector<double> pressure_force(node_count_);
+  fluid_.prepared.operators->gather(fluid_.values, {0, node_count_}, fluid_.nodes.velocity.data(),
+                                    pressure_force.data());
+  solid_.prepared.operators->gather(solid_.values, {0, node_count_}, solid_.nodes.velocity.data(),
+                                    solid_.nodes.force.data());
+  // f_s = −∫ ∂N (σ′ − n_s p), f_f = −∫ ∂N (−n_f p); p is integrated over the fluid's points.
+  for (std::size_t i = 0; i < node_count_; ++i) {
+    solid_.nodes.force[i] -= ns * pressure_force[i];
+    fluid_.nodes.force[i] = -nf * pressure_force[i];
+  }
+  update_nodes(scene_.problem, load_between(before, t), 0.5 * dt_, solid_.nodes, fluid_.nodes);
+  for (PhaseState* state : {&solid_, &fluid_}) {
+    std::vector<double> increment(node_count_);
+    for (std::size_t i = 0; i < node_count_; ++i) {
+      increment[i] = state->nodes.new_velocity[i] - state->nodes.velocity[i];
+    }
+    std::vector<double> change(state->points.x.size());
+    state->prepared.operators->to_points(increment.data(), change.data());
+    for (std::size_t p = 0; p < change.size(); ++p) state->values.velocity[p] += change[p];
+  }
+}
+
+Snapshot ColumnSolver::snapshot() const {
+  ColumnSolver now(*this);
+  now.thaw();
+  if (step_ > 0) now.synchronise_velocities();
+  now.move_points();
+  const auto points_of = [](PhaseState& state) {
+    return PhasePoints{coordinates(state.points), std::move(state.points.volume),
+                       std::move(state.values.velocity), std::move(state.values.stress)};
+  };
+  Snapshot snapshot;
+  snapshot.time = time();
+  snapshot.solid = points_of(now.solid_);
+  snapshot.fluid = points_of(now.fluid_);
+  snapshot.effective_stress = solid_.prepared.operators->at_cell_centres(snapshot.solid.stress);
+  snapshot.pore_pressure = fluid_.prepared.operators->at_cell_centres(snapshot.fluid.stress);
+  snapshot.solid_velocity = std::move(now.solid_.nodes.new_velocity);
+  snapshot.fluid_velocity = std::move(now.fluid_.nodes.new_velocity);
+  for (int c = 0; c < grid_.cell_count(); ++c) snapshot.cell_x.push_back(grid_.cell_centre(c)[0]);
+  for (int i = 0; i < grid_.node_count(); ++i) snapshot.node_x.push_back(grid_.node_position(i)[0]);
+  return snapshot;
+}
+
+}  // namespace porowave::solver

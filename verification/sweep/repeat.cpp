@@ -1,0 +1,69 @@
+#include "verification/sweep/repeat.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "reference/problem/errors.hpp"
+#include "reference/problem/toml_document.hpp"
+#include "verification/study/case_identity.hpp"
+#include "verification/sweep/case_runner.hpp"
+
+namespace porowave::verification {
+
+namespace {
+
+constexpr double tolerance = 1e-6;
+
+bool close(double a, double b) {
+  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
+  return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
+}
+
+bool same_outcome(const Record& a, const Record& b) {
+  if (a.status != b.status || a.steps != b.steps) return false;
+  for (std::size_t m = 0; m < a.measures.size(); ++m) {
+    if (!close(a.measures[m], b.measures[m])) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Repetition repeat(const Store& store, const std::string& id) {
+  const auto rows = store.beginning_with(id);
+  if (rows.size() != 1) {
+    throw InputError(fmt::format("{}: {} rows have an id that begins with {}: expected one",
+                                 store.path(), rows.size(), id));
+  }
+  Repetition result;
+  result.stored = rows.front();
+  const std::string name = fmt::format("{}: case {}", store.path(), result.stored.id);
+  StudyCase one;
+  one.specification = result.stored.specification;
+  one.scene = solver::read_case(TomlDocument::parse(one.specification, name));
+  one.id = case_id(one.specification, one.scene);
+  result.now = CaseRunner(result.stored.study, current_provenance().id).run(one);
+  result.same = same_outcome(result.stored, result.now);
+  return result;
+}
+
+std::string comparison(const Repetition& repetition) {
+  const Record& then = repetition.stored;
+  const Record& now = repetition.now;
+  const auto word = [](const Record& r) {
+    return case_status_names[static_cast<std::size_t>(r.status)];
+  };
+  std::string text =
+      fmt::format("{:<30} {:>14} {:>14}\n{:<30} {:>14} {:>14}\n{:<30} {:>14} {:>14}\n", "",
+                  "stored", "now", "status", word(then), word(now), "steps", then.steps, now.steps);
+  for (std::size_t m = 0; m < measure_names().size(); ++m) {
+    const double a = then.measures[m];
+    const double b = now.measures[m];
+    text += fmt::format("{:<30} {:>14.6e} {:>14.6e}{}\n", measure_names()[m], a, b,
+                        close(a, b) ? "" : "  differs");
+  }
+  return text;
+}
+
+}  // namespace porowave::verification
