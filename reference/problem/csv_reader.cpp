@@ -52,13 +52,14 @@ CsvReader::CsvReader(std::unique_ptr<std::istream> in, std::string path)
   read_header();
 }
 
-CsvReader CsvReader::open(const std::string& path) {
+CsvReader CsvReader::open(const std::string& path, const std::string& shown_as) {
+  const std::string& name = shown_as.empty() ? path : shown_as;
   std::error_code ignored;
   auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
   if (!*file || std::filesystem::is_directory(path, ignored)) {
-    throw InputError(fmt::format("{}: cannot be read: expected a CSV file", path));
+    throw InputError(fmt::format("{}: cannot be read: expected a CSV file", name));
   }
-  return {std::move(file), path};
+  return {std::move(file), name};
 }
 
 CsvReader CsvReader::of_text(std::string text, const std::string& path) {

@@ -22,8 +22,9 @@ namespace porowave {
 /// All errors are InputError and read like "points.csv:7: x 0.2: expected a number >= 0".
 class CsvReader {
  public:
-  /// Opens a file and reads its header. Throws if it cannot be read or has no header.
-  static CsvReader open(const std::string& path);
+  /// Opens a file and reads its header. Throws if it cannot be read or has no header. Messages name
+  /// it by `shown_as` if that is not empty.
+  static CsvReader open(const std::string& path, const std::string& shown_as = {});
   /// The same for text; `path` is only the name used in messages.
   static CsvReader of_text(std::string text, const std::string& path);
   CsvReader(CsvReader&&) noexcept;

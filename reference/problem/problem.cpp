@@ -20,7 +20,7 @@ Problem read_problem(const TomlDocument& document) {
 Problem load_problem(const std::string& path) {
   const TomlDocument document = TomlDocument::load(path);
   document.only({"material", "column", "load", "discretization", "time", "study", "axes", "refine",
-                 "exclude"});
+                 "exclude", "gate", "known_failure", "adapter"});
   return read_problem(document);
 }
 

@@ -13,7 +13,8 @@ namespace porowave::verification {
 
 /// What a study is judged by: its tables [gate] and [[known_failure]].
 ///
-///   [gate]  measures = ["effective_stress_field_l2", ...]   all L2 errors if absent
+///   [gate]  measures = ["effective_stress_field_l2", ...]   all L2 errors if absent; those at the
+///                                   points if an adapter runs the cases, which gives no others
 ///           order = 2.0             of theory; absent: judged by the baseline alone
 ///           order_tolerance = 0.25  the loose bound, to both sides
 ///           error_tolerance = 0.01  the tight bound on errors for the seeds of the baseline

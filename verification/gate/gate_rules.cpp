@@ -48,7 +48,7 @@ GateRules read_gate_rules(const TomlDocument& document, const Study& study) {
     }
   } else {
     for (std::size_t m = 0; m < all.size(); ++m) {
-      if (all[m].ends_with("_l2")) rules.measures.push_back(m);
+      if (all[m].ends_with(study.adapter ? "_points_l2" : "_l2")) rules.measures.push_back(m);
     }
   }
   rules.order = section.number_if("order", {});

@@ -28,7 +28,7 @@ std::optional<std::size_t> measure_index(std::string_view name);
 struct Record {
   std::string id;
   std::string study;
-  std::string specification;  ///< the case as TOML
+  std::string specification;  ///< the case as TOML, with [adapter] if another solver ran it
   CaseStatus status = CaseStatus::done;
   std::string reason;  ///< of a status other than done
   std::int64_t steps = 0;

@@ -2,17 +2,21 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
+
+#include "reference/problem/errors.hpp"
 
 namespace porowave::verification {
 
-/// A directory for one test, removed with all that is in it.
+/// A new, empty directory, removed with all that is in it. Throws EnvironmentError if there is none
+/// to be had.
 class ScratchDirectory {
  public:
   ScratchDirectory() {
     std::string name = (std::filesystem::temp_directory_path() / "porowave-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
+    if (mkdtemp(name.data()) == nullptr) {
+      throw EnvironmentError(name + ": cannot be made: expected a directory for temporary files");
+    }
     path_ = name;
   }
   ~ScratchDirectory() {

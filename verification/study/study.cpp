@@ -103,20 +103,21 @@ std::string described(const std::vector<Axis>& axes, const std::vector<TomlValue
   return text;
 }
 
-StudyCase make_case(const TomlDocument& document, const std::vector<Axis>& axes,
-                    std::vector<TomlValue> at) {
+StudyCase make_case(const TomlDocument& document, const Study& study, std::vector<TomlValue> at) {
   StudyCase result;
   result.specification =
       document.canonical({"material", "column", "load", "discretization", "time"});
   try {
     result.scene = solver::read_case(document);
   } catch (const InputError& error) {
-    if (axes.empty()) throw;
+    if (study.axes.empty()) throw;
     throw InputError(fmt::format("{}; in the case {}: correct it, or leave it out by [[exclude]]",
-                                 error.what(), described(axes, at)));
+                                 error.what(), described(study.axes, at)));
   }
   result.coordinates = std::move(at);
-  result.id = case_id(result.specification, result.scene);
+  result.id =
+      case_id(study.adapter ? result.specification + study.adapter->identity : result.specification,
+              result.scene);
   return result;
 }
 
@@ -124,7 +125,7 @@ StudyCase make_case(const TomlDocument& document, const std::vector<Axis>& axes,
 void expand(const TomlDocument& document, const std::vector<Exclusion>& exclusions,
             std::vector<TomlValue>& at, Study& study) {
   if (at.size() == study.axes.size()) {
-    if (!excluded(exclusions, at)) study.cases.push_back(make_case(document, study.axes, at));
+    if (!excluded(exclusions, at)) study.cases.push_back(make_case(document, study, at));
     return;
   }
   const Axis axis = study.axes[at.size()];
@@ -149,13 +150,14 @@ void require_distinct(const Study& study) {
 
 Study read_study(const TomlDocument& document) {
   document.only({"material", "column", "load", "discretization", "time", "study", "axes", "refine",
-                 "exclude", "gate", "known_failure"});
+                 "exclude", "gate", "known_failure", "adapter"});
   Study study;
   study.path = document.path();
   TomlSection section = document.section("study");
   study.name = section.text("name");
   section.done();
   if (study.name.empty()) section.refuse("name", "a word");
+  study.adapter = read_adapter(document);
   study.axes = read_axes(document);
   study.refine = read_refinement(document, study.axes);
   study.seed = axis_named(study.axes, seed_axis);
@@ -167,7 +169,7 @@ Study read_study(const TomlDocument& document) {
   }
   std::vector<TomlValue> at;
   const TomlDocument alone =
-      document.without({"study", "axes", "refine", "exclude", "gate", "known_failure"});
+      document.without({"study", "axes", "refine", "exclude", "gate", "known_failure", "adapter"});
   expand(alone, read_exclusions(document, study.axes), at, study);
   require_distinct(study);
   if (study.cases.empty()) {

@@ -7,6 +7,7 @@
 
 #include "reference/problem/toml_document.hpp"
 #include "solver/case.hpp"
+#include "verification/adapters/adapter.hpp"
 
 namespace porowave::verification {
 
@@ -23,11 +24,12 @@ struct Axis {
 struct StudyCase {
   std::vector<TomlValue> coordinates;  ///< its value on every axis, in the order of Study::axes
   std::string specification;           ///< all of it as TOML, a file that `porowave solve` reads
-  std::string id;                      ///< 32 hexadecimal digits of specification and program
+  std::string id;                      ///< 32 hexadecimal digits of specification and programs
   solver::Case scene;
 };
 
-/// A grid of cases: a case file with [study], [axes], [refine] and [[exclude]].
+/// A grid of cases: a case file with [study], [axes], [refine] and [[exclude]], and with [adapter]
+/// if another solver runs them (verification/adapters/adapter.hpp).
 ///
 ///   [study] name = "paper"
 ///   [axes]  "discretization.kernel" = ["bspline1", "bspline2"]        any key of a case
@@ -42,6 +44,7 @@ struct Study {
   std::vector<Axis> axes;
   std::optional<std::size_t> refine;  ///< index of the axis of levels
   std::optional<std::size_t> seed;    ///< index of the axis of replicates, discretization.seed
+  std::optional<Adapter> adapter;     ///< whose solver runs the cases; none for ours
   std::vector<StudyCase> cases;       ///< the last axis changes fastest
 };
 

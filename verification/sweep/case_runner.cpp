@@ -9,6 +9,7 @@
 #include <new>
 
 #include "reference/problem/errors.hpp"
+#include "verification/adapters/adapter_run.hpp"
 #include "verification/run.hpp"
 
 namespace porowave::verification {
@@ -40,6 +41,29 @@ void set_result(const RunResult& result, Record& record) {
   record.measures.insert(record.measures.end(), {result.reference_error, result.largest_strain});
 }
 
+/// Only errors at the points are known.
+void set_result(const AdapterRun& run, Record& record) {
+  record.points = static_cast<std::int64_t>(run.points);
+  record.cpu_seconds = run.cost.cpu_seconds;
+  record.wall_seconds = run.cost.wall_seconds;
+  record.peak_rss_bytes = run.cost.peak_rss_bytes;
+  if (run.failure) {
+    record.status = CaseStatus::broke_down;
+    record.reason = *run.failure;
+    return;
+  }
+  const auto set = [&](std::string_view name, double value) {
+    record.measures[measure_index(name).value()] = value;
+  };
+  for (std::size_t f = 0; f < field_names.size(); ++f) {
+    if (!run.errors[f]) continue;
+    set(fmt::format("{}_points_l1", field_names[f]), run.errors[f]->l1);
+    set(fmt::format("{}_points_l2", field_names[f]), run.errors[f]->l2);
+    set(fmt::format("{}_points_linf", field_names[f]), run.errors[f]->linf);
+  }
+  set("reference_error", run.reference_error);
+}
+
 void set_failure(CaseStatus status, const char* reason, Record& record) {
   record.status = status;
   record.reason = reason;
@@ -59,11 +83,16 @@ Record CaseRunner::run(const StudyCase& one) {
   record.id = one.id;
   record.study = study_;
   record.specification = one.specification;
+  if (adapter_) record.specification += "\n" + adapter_->toml();
   record.provenance = provenance_;
   record.measures.assign(measure_names().size(), std::numeric_limits<double>::quiet_NaN());
   try {
     const ProfilePointer profile = profile_of(one);
-    set_result(run_case(one.scene, *profile), record);
+    if (adapter_) {
+      set_result(run_adapter(*adapter_, one.specification, one.scene, *profile), record);
+    } else {
+      set_result(run_case(one.scene, *profile), record);
+    }
   } catch (const InputError& error) {
     set_failure(CaseStatus::refused, error.what(), record);
   } catch (const BreakdownError& error) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "reference/profile.hpp"
@@ -16,8 +17,11 @@ namespace porowave::verification {
 /// end and grid length. May be used by several threads at a time.
 class CaseRunner {
  public:
-  CaseRunner(std::string study, std::string provenance)
-      : study_(std::move(study)), provenance_(std::move(provenance)) {}
+  /// With an adapter its solver runs the cases.
+  CaseRunner(std::string study, std::string provenance, std::optional<Adapter> adapter = {})
+      : study_(std::move(study)),
+        provenance_(std::move(provenance)),
+        adapter_(std::move(adapter)) {}
 
   /// A case with its errors and cost. Nothing that goes wrong in it is thrown: it is the record's
   /// status and reason.
@@ -29,6 +33,7 @@ class CaseRunner {
 
   std::string study_;
   std::string provenance_;
+  std::optional<Adapter> adapter_;
   std::mutex mutex_;
   std::map<std::string, std::shared_future<ProfilePointer>> profiles_;
 };

@@ -41,7 +41,13 @@ Repetition repeat(const Store& store, const std::string& id) {
   const std::string name = fmt::format("{}: case {}", store.path(), result.stored.id);
   StudyCase one;
   one.specification = result.stored.specification;
-  one.scene = solver::read_case(TomlDocument::parse(one.specification, name));
+  const auto document = TomlDocument::parse(one.specification, name);
+  if (document.section("adapter").present()) {
+    throw InputError(name +
+                     ": another solver ran it by an adapter: expected a case of ours; to "
+                     "repeat this one, sweep its study into a new store");
+  }
+  one.scene = solver::read_case(document);
   one.id = case_id(one.specification, one.scene);
   result.now = CaseRunner(result.stored.study, current_provenance().id).run(one);
   result.same = same_outcome(result.stored, result.now);

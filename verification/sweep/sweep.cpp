@@ -122,7 +122,7 @@ SweepSummary sweep(const Study& study, Store& store, const SweepOptions& options
   Finished finished;
   finished.set(std::move(known));
 
-  CaseRunner runner(study.name, here.id);
+  CaseRunner runner(study.name, here.id, study.adapter);
   Mailbox mailbox;
   std::atomic<std::size_t> next = 0;
   std::atomic<std::size_t> skipped = 0;

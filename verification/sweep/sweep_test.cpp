@@ -5,7 +5,9 @@
 #include <set>
 #include <thread>
 
+#include "reference/problem/errors.hpp"
 #include "verification/store/scratch_directory.hpp"
+#include "verification/sweep/repeat.hpp"
 
 using namespace porowave;
 using namespace porowave::verification;
@@ -138,6 +140,46 @@ BOOST_AUTO_TEST_CASE(cases_that_cannot_be_run_are_rows_with_their_reason) {
     BOOST_TEST((row.status == CaseStatus::done) == row.reason.empty());
     BOOST_TEST((row.status == CaseStatus::done) == std::isfinite(row.measures[0]));
   }
+}
+
+BOOST_AUTO_TEST_CASE(another_solver_runs_the_cases) {
+  const ScratchDirectory directory;
+  // Good for seed 1, broken for seed 2; the case is $0, the output $1.
+  const auto with_adapter = [](const std::string& pressure) {
+    return small_study(
+        "\"discretization.seed\" = [1, 2]\n[adapter]\ncommand = [\"sh\", \"-c\", "
+        "\"grep -q 'seed = 1' $0 || exit 7; printf 'x,pore_pressure\\\\n0.01," +
+        pressure + "\\\\n' > $1\"]\n");
+  };
+  const Study study = with_adapter("0.0");
+  Store store = Store::create_or_open(directory.file("results"));
+  const auto first = porowave::verification::sweep(study, store, {.jobs = 2});
+  BOOST_TEST(first.by_status[static_cast<std::size_t>(CaseStatus::done)] == 1U);
+  BOOST_TEST(first.by_status[static_cast<std::size_t>(CaseStatus::broke_down)] == 1U);
+  for (const Record& row : store.all()) {
+    BOOST_TEST(row.specification.find("[adapter]\ncommand = [\"sh\"") != std::string::npos);
+    BOOST_TEST(row.cpu_seconds > 0.0);
+    if (row.status == CaseStatus::broke_down) {
+      BOOST_TEST(row.reason == "exit code 7");
+      BOOST_TEST(row.specification.find("seed = 2") != std::string::npos);
+      BOOST_TEST(std::isnan(row.measures[*measure_index("pore_pressure_points_l1")]));
+      continue;
+    }
+    BOOST_TEST(row.points == 1);
+    for (const std::string& name : measure_names()) {
+      const bool known = name.starts_with("pore_pressure_points") || name == "reference_error";
+      BOOST_TEST(std::isfinite(row.measures[*measure_index(name)]) == known, name);
+    }
+    // A value of zero is wrong by all there is.
+    BOOST_TEST(row.measures[*measure_index("pore_pressure_points_l2")] == 1.0);
+    BOOST_CHECK_THROW(repeat(store, row.id), InputError);
+  }
+  BOOST_TEST(porowave::verification::sweep(study, store, {.jobs = 2}).reused == 2U);
+  // Another program, and ours, are other cases.
+  BOOST_TEST(porowave::verification::sweep(with_adapter("0.1"), store, {.jobs = 2}).reused == 0U);
+  const Study ours = small_study("\"discretization.seed\" = [1, 2]\n");
+  BOOST_TEST(porowave::verification::sweep(ours, store, {.jobs = 2}).reused == 0U);
+  BOOST_TEST(store.all().size() == 6U);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
