@@ -274,6 +274,7 @@ bool ColumnSolver::sweep(const StepLoad& load) {
 bool ColumnSolver::sweep_to_nodes(const StepLoad& load, Range nodes, PartScratch& scratch) {
   solid_.gather(nodes, scratch.first.data());
   fluid_.gather(nodes, scratch.second.data());
+  if (body_force_) add_body_force(nodes, scratch.first.data(), scratch.second.data());
   update_.apply(scene_.problem, load, nodes, {scratch.first.data(), scratch.second.data()},
                 solid_.nodes, fluid_.nodes);
   const double limit = reweight_share * grid_.spacing;
