@@ -44,18 +44,30 @@ bool bounded(std::span<const double> values, double limit) {
 
 }  // namespace
 
-void ColumnSolver::set_body_force(BodyForce force) {
-  body_force_ = std::move(force);
+// What eliminates the points knows of the load only, and so does what is left out ahead of it.
+void ColumnSolver::drive_otherwise() {
+  if (step_ > 0) throw std::invalid_argument("column solver: the run has begun");
+  if (scene_.time.path == StepPath::frozen) {
+    throw std::invalid_argument(
+        "column solver: path = \"frozen\" is for runs that only their load drives; "
+        "expected \"auto\" or \"points\"");
+  }
+  thaw();
   only_loaded_ = false;
   disregard_causality();
 }
 
+void ColumnSolver::set_body_force(BodyForce force) {
+  drive_otherwise();
+  body_force_ = std::move(force);
+}
+
 void ColumnSolver::start_from(const std::function<Fields(double x, double t)>& fields) {
-  if (step_ > 0) throw std::invalid_argument("column solver: the run has begun");
   if (scene_.discretization.transfer == TransferName::apic) {
     throw std::invalid_argument("column solver: points of apic start at rest");
   }
-  thaw();
+  drive_otherwise();
+  has_past_ = true;
   for (PhaseState* state : {&solid_, &fluid_}) {
     const bool is_solid = state == &solid_;
     for (std::size_t p = 0; p < state->points.x.size(); ++p) {
@@ -66,10 +78,6 @@ void ColumnSolver::start_from(const std::function<Fields(double x, double t)>& f
       state->values.stress[p] = is_solid ? now.effective_stress : now.pore_pressure;
     }
   }
-  if (scene_.time.path != StepPath::points) freeze();
-  only_loaded_ = false;
-  has_past_ = true;
-  disregard_causality();
 }
 
 // Where nothing was before t = 0, the first step feels the force for its second half only.

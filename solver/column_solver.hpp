@@ -98,13 +98,15 @@ class ColumnSolver {
   // Steps all nodes from now on, also those that no signal can have reached.
   void disregard_causality() { window_ = node_count_; }
 
-  // What manufactured solutions need, before the first step. The run is then not driven by its load
-  // alone: all nodes are stepped, and `run` stops at values that are not finite, however large.
+  // What manufactured solutions need, before the first step (std::invalid_argument after it). The
+  // run is then not driven by its load alone: it visits its points (std::invalid_argument if the
+  // case asks for path = "frozen"), all nodes are stepped, and `run` stops at values that are not
+  // finite, however large.
   //
   // The force acts on both phases, see body_force.hpp; from t = 0 on if the run starts at rest.
   void set_body_force(BodyForce force);
   // Points start with the stresses of time 0 and the velocities of half a step before. Throws
-  // std::invalid_argument after the first step, and for apic, whose points carry more than that.
+  // std::invalid_argument for apic, whose points carry more than that.
   void start_from(const std::function<Fields(double x, double t)>& fields);
 
   void step();
@@ -151,6 +153,7 @@ class ColumnSolver {
   void sweep_to_points(Range nodes, PartScratch& scratch);
   void end_step(bool moved);
   void widen_window();
+  void drive_otherwise();  // than by the load alone
   void add_body_force(Range nodes, double* effective, double* pressure) const;
   void synchronise_velocities();  // half a step, after which the object cannot step on
   bool surely_bounded(double velocity, double stress) const;
