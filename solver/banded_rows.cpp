@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "solver/simd.hpp"
-
 namespace porowave::solver {
 
 namespace {
@@ -84,7 +82,8 @@ BandedRows::Block BandedRows::band_of(const RangeRows& outer,
   return {lowest, highest - lowest + 1, values_.size()};
 }
 
-BandedRows::BandedRows(const RangeRows& outer, const std::function<PointRow(std::size_t)>& inner) {
+BandedRows::BandedRows(const RangeRows& outer, const std::function<PointRow(std::size_t)>& inner)
+    : row_count_(outer.row_count()) {
   for (std::size_t begin = 0; begin < outer.row_count(); begin += block_rows) {
     const Range rows{begin, std::min(begin + block_rows, outer.row_count())};
     const Block block = band_of(outer, inner, rows);
@@ -108,6 +107,15 @@ BandedRows::BandedRows(const RangeRows& outer, const std::function<PointRow(std:
       }
     }
   }
+}
+
+double BandedRows::value(std::size_t row, int diagonal) const {
+  const Block& block = blocks_[row / block_rows];
+  if (diagonal < block.lowest || diagonal >= block.lowest + block.width) return 0.0;
+  const std::size_t k = row % block_rows;
+  const auto d = static_cast<std::size_t>(diagonal - block.lowest);
+  const auto width = static_cast<std::size_t>(block.width);
+  return values_[block.first_value + (k / lanes * width + d) * lanes + k % lanes];
 }
 
 void BandedRows::multiply(Range rows, const double* in, double* out) const {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "solver/range_rows.hpp"
+#include "solver/simd.hpp"
 
 namespace porowave::solver {
 
@@ -21,13 +22,13 @@ class PaddedValues {
  public:
   PaddedValues() = default;
   PaddedValues(std::size_t count, std::size_t padding)
-      : padding_(padding), values_(count + 2 * padding, 0.0) {}
+      : padding_((padding + 7) / 8 * 8), values_(count + 2 * padding_, 0.0) {}
   double* data() { return values_.data() + padding_; }
   const double* data() const { return values_.data() + padding_; }
 
  private:
   std::size_t padding_ = 0;
-  std::vector<double> values_;
+  LineVector values_;
 };
 
 // Up to two entries of a row of the inner operator: columns first and first + 1.
@@ -47,6 +48,15 @@ class BandedRows {
 
   // How far a row reaches beyond its own number, to either side.
   std::size_t reach() const { return reach_; }
+  std::size_t row_count() const { return row_count_; }
+  // Diagonals of a block: lowest column minus row, and how many.
+  struct Band {
+    int lowest;
+    int width;
+  };
+  Band band(std::size_t block) const { return {blocks_[block].lowest, blocks_[block].width}; }
+  // The value of a row on a diagonal (column minus row); zero outside the band.
+  double value(std::size_t row, int diagonal) const;
   // out[k] = row (rows.first + k) times `in`, which must be padded by reach() at least.
   void multiply(Range rows, const double* in, double* out) const;
 
@@ -61,6 +71,7 @@ class BandedRows {
 
   std::vector<Block> blocks_;
   std::vector<double> values_;  // per block, per eight rows: diagonal by diagonal
+  std::size_t row_count_ = 0;
   std::size_t reach_ = 0;
 };
 

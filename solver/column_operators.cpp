@@ -15,10 +15,12 @@ PreparedPhase prepare_phase(const PointSet<1>& points, const Grid<1>& grid,
   if (!std::is_sorted(points.x.begin(), points.x.end(), before)) {
     throw std::invalid_argument("prepare phase: the points are not sorted along the column");
   }
-  Transfer<1> transfer(points, grid, choice);
+  const bool compact = compact_form_available(choice, time);
+  Transfer<1> transfer(points, grid, choice,
+                       compact ? TransferUse::compact_form : TransferUse::all);
   PreparedPhase phase{nullptr, transfer.nodal_mass(), transfer.nodal_volume(),
                       transfer.reduced_rows(), transfer.empty_rows()};
-  if (compact_form_available(choice, time)) {
+  if (compact) {
     phase.operators = std::make_shared<CompactOperators>(std::move(transfer), points, grid);
   } else {
     phase.operators = std::make_shared<GeneralOperators>(std::move(transfer), points.x.size());

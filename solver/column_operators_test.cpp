@@ -114,6 +114,15 @@ BOOST_AUTO_TEST_CASE(parts_give_the_same_bits_as_the_whole) {
   });
 }
 
+BOOST_AUTO_TEST_CASE(what_the_compact_form_leaves_out_is_not_mistaken_for_zero) {
+  const auto points = test::column_points(4);
+  const Transfer<1> transfer(points, test::column_grid(), test::mls<BSpline2>(1.5, 1),
+                             TransferUse::compact_form);
+  std::vector<double> values(points.x.size());
+  BOOST_CHECK_THROW(transfer.to_points(noise(nodes, 1), values), std::invalid_argument);
+  BOOST_CHECK_THROW(transfer.gradient_at_points(noise(nodes, 1), 0, values), std::invalid_argument);
+}
+
 BOOST_AUTO_TEST_CASE(points_out_of_order_are_refused) {
   auto points = test::column_points(4);
   std::swap(points.x[3], points.x[40]);

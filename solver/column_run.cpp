@@ -87,21 +87,19 @@ void ColumnSolver::add_body_force(Range nodes, double* effective, double* pressu
                          {solid_.nodes.volume, fluid_.nodes.volume}, nodes, effective, pressure);
 }
 
-// While points are frozen, their values are at most as large as those of nodes and cells if they
-// started from zero.
+// No point that is eliminated has larger values than nodes and cells.
 bool ColumnSolver::surely_bounded(double velocity, double stress) const {
-  return solid_.frozen && solid_.frozen->started_at_rest() && fluid_.frozen->started_at_rest() &&
-         bounded(solid_.frozen->node_values(), velocity) &&
-         bounded(fluid_.frozen->node_values(), velocity) &&
-         bounded(solid_.frozen->cell_values(), stress) &&
-         bounded(fluid_.frozen->cell_values(), stress);
+  const auto q = frozen_->node_values();
+  const auto e = frozen_->cell_values();
+  return bounded(q[0], velocity) && bounded(q[1], velocity) && bounded(e[0], stress) &&
+         bounded(e[1], stress);
 }
 
 std::optional<Breakdown> ColumnSolver::find_breakdown() const {
   constexpr double finite = std::numeric_limits<double>::max();
   const double stress = only_loaded_ ? growth_limit * scene_.problem.stress_scale() : finite;
   const double velocity = only_loaded_ ? growth_limit * scene_.problem.velocity_scale() : finite;
-  if (solid_.frozen) {
+  if (frozen_) {
     if (surely_bounded(velocity, stress)) return std::nullopt;
     ColumnSolver now(*this);
     now.thaw();
@@ -130,7 +128,7 @@ Breakdown ColumnSolver::moved_too_far() const {
 std::optional<Breakdown> ColumnSolver::run() {
   while (step_ < steps_) {
     step();
-    if (scene_.time.path == StepPath::frozen && !solid_.frozen) {
+    if (scene_.time.path == StepPath::frozen && !frozen_) {
       return moved_too_far();
     }
     if (step_ % steps_between_checks != 0 && step_ < steps_) continue;
@@ -145,8 +143,10 @@ void ColumnSolver::synchronise_velocities() {
   const double ns = scene_.problem.material.solid_fraction();
   const double nf = scene_.problem.material.porosity;
   std::vector<double> pressure_force(node_count_);
-  fluid_.gather({0, node_count_}, pressure_force.data());
-  solid_.gather({0, node_count_}, solid_.nodes.force.data());
+  fluid_.prepared.operators->gather(fluid_.values, {0, node_count_}, fluid_.nodes.velocity.data(),
+                                    pressure_force.data());
+  solid_.prepared.operators->gather(solid_.values, {0, node_count_}, solid_.nodes.velocity.data(),
+                                    solid_.nodes.force.data());
   if (body_force_) {
     add_body_force({0, node_count_}, solid_.nodes.force.data(), pressure_force.data());
   }

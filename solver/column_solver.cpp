@@ -53,23 +53,6 @@ void reorder(const std::vector<std::size_t>& order, std::vector<T>& values) {
 
 }  // namespace
 
-void ColumnSolver::PhaseState::gather(Range part, double* force) {
-  double* velocity_there = nodes.velocity.data() + part.first;
-  if (frozen) {
-    frozen->gather(part, velocity_there, force);
-  } else {
-    prepared.operators->gather(values, part, velocity_there, force);
-  }
-}
-
-void ColumnSolver::PhaseState::scatter(const PointUpdate& update, Range cells) {
-  if (frozen) {
-    frozen->scatter(update, cells);
-  } else {
-    prepared.operators->scatter(update, cells, values);
-  }
-}
-
 ColumnSolver::PhaseState ColumnSolver::start(const Discretization& choice, double spacing,
                                              Phase phase, double density) {
   PlacedPoints placed = place_points(choice, spacing, phase);
@@ -136,7 +119,7 @@ std::size_t ColumnSolver::empty_rows() const {
 }
 
 StepPath ColumnSolver::path() const {
-  return solid_.frozen && frozen_steps_ == step_ ? StepPath::frozen : StepPath::points;
+  return frozen_ && frozen_steps_ == step_ ? StepPath::frozen : StepPath::points;
 }
 
 std::size_t ColumnSolver::guard() const {
@@ -154,7 +137,7 @@ void ColumnSolver::use_threads([[maybe_unused]] std::size_t most) {
 }
 
 void ColumnSolver::choose_threads() {
-  const std::size_t items = solid_.frozen ? node_count_ : point_count();
+  const std::size_t items = frozen_ ? node_count_ : point_count();
   use_threads(items < items_worth_threads ? 1 : threads_at_hand());
 }
 
@@ -178,11 +161,34 @@ void ColumnSolver::make_weights() {
   for (PhaseState* state : {&solid_, &fluid_}) {
     sort_points(*state);
     state->prepared.operators.reset();
+  }
+  for (PhaseState* state : {&solid_, &fluid_}) {
+    if (state == &fluid_ && phases_share_points()) {
+      share_weights();
+      break;
+    }
     state->prepared = prepare_phase(state->points, grid_, scene_.discretization, scene_.time);
     state->nodes.mass = std::move(state->prepared.nodal_mass);
     state->nodes.volume = std::move(state->prepared.nodal_volume);
   }
   update_ = PreparedUpdate(scene_.problem, dt_, solid_.nodes, fluid_.nodes);
+}
+
+bool ColumnSolver::phases_share_points() const {
+  const PointSet<1>& s = solid_.points;
+  const PointSet<1>& f = fluid_.points;
+  return s.x == f.x && s.volume == f.volume && s.domain == f.domain;
+}
+
+// Weights depend on places and volumes alone, nodal masses also on the density, one of each phase.
+void ColumnSolver::share_weights() {
+  const Material& m = scene_.problem.material;
+  fluid_.prepared = solid_.prepared;
+  fluid_.nodes.volume = solid_.nodes.volume;
+  fluid_.nodes.mass = solid_.nodes.mass;
+  for (double& mass : fluid_.nodes.mass) {
+    mass *= m.fluid_partial_density() / m.solid_partial_density();
+  }
 }
 
 void ColumnSolver::move_points() {
@@ -202,23 +208,24 @@ void ColumnSolver::move_points() {
 }
 
 void ColumnSolver::freeze() {
-  if (!FrozenPhase::possible(*solid_.prepared.operators)) {
+  if (!FrozenColumn::possible(*solid_.prepared.operators)) {
     if (scene_.time.path == StepPath::automatic) return;
     throw InputError(
         "time.path = \"frozen\" is not possible with this transfer: expected \"auto\" "
         "or \"points\"");
   }
-  for (PhaseState* state : {&solid_, &fluid_}) {
-    state->frozen.emplace(state->prepared.operators, state->values.velocity, state->values.stress);
-  }
+  const Material& m = scene_.problem.material;
+  frozen_.emplace(
+      solid_.prepared.operators, fluid_.prepared.operators,
+      FrozenColumn::Constants{scene_.time.flip, m.solid_fraction(), m.porosity,
+                              dt_ * m.constrained_modulus, -dt_ * m.storage_modulus(), dt_});
 }
 
 void ColumnSolver::thaw() {
-  for (PhaseState* state : {&solid_, &fluid_}) {
-    if (!state->frozen) continue;
-    state->frozen->settle(state->values.velocity, state->values.stress);
-    state->frozen.reset();
-  }
+  if (!frozen_) return;
+  frozen_->settle(solid_.values, fluid_.values);
+  frozen_->displacements(solid_.displacement, fluid_.displacement);
+  frozen_.reset();
 }
 
 StepLoad ColumnSolver::load_between(double before, double after) const {
@@ -271,9 +278,27 @@ bool ColumnSolver::sweep(const StepLoad& load) {
   return moved;
 }
 
+bool ColumnSolver::sweep_frozen(const StepLoad& load) {
+  const std::size_t parts = (window_ + part_nodes_ - 1) / part_nodes_;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) num_threads(static_cast <int>(threads_)) if (threads_ > 1)
+#endif
+  for (std::size_t k = 0; k < parts; ++k) {
+    frozen_->step(scene_.problem, load, update_, part(k), solid_.nodes, fluid_.nodes);
+  }
+  frozen_->end_step();
+  // The bound is cheap, the displacements themselves are not: only where it does not do.
+  const double limit = reweight_share * grid_.spacing;
+  if (frozen_->displacement_bound() <= limit) return false;
+  frozen_->displacements(solid_.displacement, fluid_.displacement);
+  return frozen_->displacement_bound() > limit;
+}
+
 bool ColumnSolver::sweep_to_nodes(const StepLoad& load, Range nodes, PartScratch& scratch) {
-  solid_.gather(nodes, scratch.first.data());
-  fluid_.gather(nodes, scratch.second.data());
+  solid_.prepared.operators->gather(
+      solid_.values, nodes, solid_.nodes.velocity.data() + nodes.first, scratch.first.data());
+  fluid_.prepared.operators->gather(
+      fluid_.values, nodes, fluid_.nodes.velocity.data() + nodes.first, scratch.second.data());
   if (body_force_) add_body_force(nodes, scratch.first.data(), scratch.second.data());
   update_.apply(scene_.problem, load, nodes, {scratch.first.data(), scratch.second.data()},
                 solid_.nodes, fluid_.nodes);
@@ -295,29 +320,27 @@ void ColumnSolver::sweep_to_points(Range nodes, PartScratch& scratch) {
   const double* vs = at(solid_.nodes.new_velocity);
   const double* vf = at(fluid_.nodes.new_velocity);
   const int xpic = scene_.time.xpic_order;
-  solid_.scatter({flip, at(solid_.nodes.velocity), vs, vs, dt_ * m.constrained_modulus, xpic},
-                 cells);
+  solid_.prepared.operators->scatter(
+      {flip, at(solid_.nodes.velocity), vs, vs, dt_ * m.constrained_modulus, xpic}, cells,
+      solid_.values);
   // ṗ = −K (n_s ∂v_s + n_f ∂v_f), both gradients at the fluid's points.
   double* mixture = scratch.first.data();
   combine(m.solid_fraction(), vs, m.porosity, vf, cells.size() + 1, mixture);
-  fluid_.scatter({flip, at(fluid_.nodes.velocity), vf, mixture, -dt_ * m.storage_modulus(), xpic},
-                 cells);
+  fluid_.prepared.operators->scatter(
+      {flip, at(fluid_.nodes.velocity), vf, mixture, -dt_ * m.storage_modulus(), xpic}, cells,
+      fluid_.values);
 }
 
 void ColumnSolver::step() {
   const double t = time();
   const StepLoad load = load_between(t - 0.5 * dt_, t + 0.5 * dt_);
-  const bool moved = sweep(load);
+  const bool moved = frozen_ ? sweep_frozen(load) : sweep(load);
   ++step_;
   end_step(moved);
 }
 
 void ColumnSolver::end_step(bool moved) {
-  if (solid_.frozen) {
-    ++frozen_steps_;
-    solid_.frozen->end_step(scene_.time.flip);
-    fluid_.frozen->end_step(scene_.time.flip);
-  }
+  if (frozen_) ++frozen_steps_;
   widen_window();
   if (!moved) return;
   thaw();
@@ -328,11 +351,11 @@ void ColumnSolver::end_step(bool moved) {
 void ColumnSolver::widen_window() {
   if (window_ == node_count_) return;
   const double limit = negligible * scene_.problem.velocity_scale();
-  const auto quiet = [&](const PhaseState& state, std::size_t i) {
-    return std::abs(state.nodes.new_velocity[i]) <= limit;
-  };
+  const auto values = frozen_ ? frozen_->node_values()
+                              : std::array{std::span<const double>(solid_.nodes.new_velocity),
+                                           std::span<const double>(fluid_.nodes.new_velocity)};
   for (std::size_t i = window_ - std::min(window_, guard()); i < window_; ++i) {
-    if (quiet(solid_, i) && quiet(fluid_, i)) continue;
+    if (std::abs(values[0][i]) <= limit && std::abs(values[1][i]) <= limit) continue;
     window_ = std::min(node_count_, window_ + window_growth + guard());
     return;
   }

@@ -13,7 +13,7 @@
 // more than `reweight_share` of h.
 //
 // Where the points have not moved by that much since the weights were made, they are eliminated
-// (frozen_phase.hpp), unless the case says otherwise or its transfer does not allow it: the first
+// (frozen_column.hpp), unless the case says otherwise or its transfer does not allow it: the first
 // time they move farther they are brought up to date, and the run goes on with them.
 //
 // Causality: the run starts at rest and every wave comes from x = 0, so only the nodes up to a
@@ -34,7 +34,7 @@
 #include "solver/body_force.hpp"
 #include "solver/case.hpp"
 #include "solver/column_operators.hpp"
-#include "solver/frozen_phase.hpp"
+#include "solver/frozen_column.hpp"
 #include "solver/nodal_update.hpp"
 #include "solver/placement.hpp"
 #include "solver/prepared_update.hpp"
@@ -122,12 +122,8 @@ class ColumnSolver {
     PointSet<1> points;  // sorted by x
     PointValues values;
     PreparedPhase prepared;
-    std::optional<FrozenPhase> frozen;  // then the values are those of its start
     PhaseNodes nodes;
     std::vector<double> displacement;  // nodal, since the weights were made
-
-    void gather(Range part, double* force);
-    void scatter(const PointUpdate& update, Range cells);
   };
   // Nodal scratch of one thread.
   struct PartScratch {
@@ -141,12 +137,15 @@ class ColumnSolver {
   std::size_t guard() const;  // nodes that a signal can cross in a step, at most
   void choose_threads();
   void make_weights();
-  void move_points();  // from the nodal displacement since the weights were made
+  bool phases_share_points() const;
+  void share_weights();  // the solid's for both phases
+  void move_points();    // from the nodal displacement since the weights were made
   void freeze();
   void thaw();  // brings the points up to date
   StepLoad load_between(double before, double after) const;
   Range part(std::size_t k) const;
   bool sweep(const StepLoad& load);  // whether points have moved too far
+  bool sweep_frozen(const StepLoad& load);
   bool sweep_parts(const StepLoad& load, Range parts, PartScratch& scratch);
   void finish_parts(Range parts, PartScratch& scratch);
   bool sweep_to_nodes(const StepLoad& load, Range nodes, PartScratch& scratch);
@@ -169,6 +168,7 @@ class ColumnSolver {
   PhaseState solid_;
   PhaseState fluid_;
   PreparedUpdate update_;
+  std::optional<FrozenColumn> frozen_;  // then the points are as they were at its start
   std::size_t node_count_;
   std::size_t window_;      // nodes that are stepped: the first ones
   std::size_t part_nodes_;  // nodes of one part of the column

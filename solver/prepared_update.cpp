@@ -18,38 +18,24 @@ struct NodeArrays {
   double* new_fluid_velocity;
 };
 
-// One node (Number = double) or eight at once.
 template <class Number>
-POROWAVE_INLINE void move_free(const double* k, double ns, double nf, const NodeArrays& at,
-                               std::size_t i) {
-  Number effective, pressure, vs, vf, fluid_share, push, decay, solid_drive, fluid_drive;
+POROWAVE_INLINE void move_free_there(const NodeCoefficients& eight, std::size_t lane, double ns,
+                                     double nf, const NodeArrays& at, std::size_t i) {
+  Number effective, pressure, vs, vf, new_vs, new_vf;
   read(at.effective + i, effective);
   read(at.pressure + i, pressure);
   read(at.solid_velocity + i, vs);
   read(at.fluid_velocity + i, vf);
-  read(k, fluid_share);
-  read(k + 8, push);
-  read(k + 16, decay);
-  read(k + 24, solid_drive);
-  read(k + 32, fluid_drive);
-  const Number solid_force = effective - ns * pressure;
-  const Number fluid_force = -nf * pressure;
-  const Number relative = vf - vs;
-  const Number new_mean = vs + fluid_share * relative + push * (solid_force + fluid_force);
-  const Number new_relative =
-      relative * decay + (fluid_force * fluid_drive - solid_force * solid_drive);
-  const Number moved = new_mean - fluid_share * new_relative;
-  write(moved, at.new_solid_velocity + i);
-  write(moved + new_relative, at.new_fluid_velocity + i);
+  move_free(eight, lane, ns, nf, effective, pressure, vs, vf, new_vs, new_vf);
+  write(new_vs, at.new_solid_velocity + i);
+  write(new_vf, at.new_fluid_velocity + i);
 }
 
-POROWAVE_VECTORISED void move_free_nodes(const double* coefficients, double ns, double nf,
+POROWAVE_VECTORISED void move_free_nodes(const NodeCoefficients* coefficients, double ns, double nf,
                                          const NodeArrays& at, std::size_t count) {
   std::size_t i = 0;
-  for (; i + 8 <= count; i += 8) move_free<Eight>(coefficients + 5 * i, ns, nf, at, i);
-  for (; i < count; ++i) {
-    move_free<double>(coefficients + 5 * (i / 8 * 8) + i % 8, ns, nf, at, i);
-  }
+  for (; i + 8 <= count; i += 8) move_free_there<Eight>(coefficients[i / 8], 0, ns, nf, at, i);
+  for (; i < count; ++i) move_free_there<double>(coefficients[i / 8], i % 8, ns, nf, at, i);
 }
 
 }  // namespace
@@ -66,7 +52,7 @@ PreparedUpdate::PreparedUpdate(const Problem& problem, double dt, const PhaseNod
       special_.push_back(i);
       continue;
     }
-    Coefficients& eight = coefficients_[i / 8];
+    NodeCoefficients& eight = coefficients_[i / 8];
     const Drag drag = drag_over(problem.material.drag(), dt, solid, fluid, i);
     eight.fluid_share[i % 8] = mf / (ms + mf);
     eight.push[i % 8] = dt / (ms + mf);
@@ -81,18 +67,21 @@ void PreparedUpdate::apply(const Problem& problem, const StepLoad& load, Range n
   const std::size_t first = nodes.first;
   const double ns = problem.material.solid_fraction();
   const double nf = problem.material.porosity;
-  move_free_nodes(coefficients_[first / 8].fluid_share.data(), ns, nf,
+  move_free_nodes(&coefficients_[first / 8], ns, nf,
                   {forces.effective, forces.pressure, solid.velocity.data() + first,
                    fluid.velocity.data() + first, solid.new_velocity.data() + first,
                    fluid.new_velocity.data() + first},
                   nodes.size());
-  auto special = std::lower_bound(special_.begin(), special_.end(), first);
-  for (; special != special_.end() && *special < nodes.last; ++special) {
-    const std::size_t k = *special - first;
-    solid.force[*special] = forces.effective[k] - ns * forces.pressure[k];
-    fluid.force[*special] = -nf * forces.pressure[k];
-    update_node(problem, load, dt_, *special, solid, fluid);
+  for (const std::size_t i : special(nodes)) {
+    solid.force[i] = forces.effective[i - first] - ns * forces.pressure[i - first];
+    fluid.force[i] = -nf * forces.pressure[i - first];
+    update_node(problem, load, dt_, i, solid, fluid);
   }
+}
+
+std::span<const std::size_t> PreparedUpdate::special(Range nodes) const {
+  const auto first = std::lower_bound(special_.begin(), special_.end(), nodes.first);
+  return {first, std::lower_bound(first, special_.end(), nodes.last)};
 }
 
 }  // namespace porowave::solver

@@ -4,9 +4,10 @@
 // depend on velocities and forces is computed once, so that a node costs ten multiplications
 // instead of two exponentials and eight divisions.
 
-#include <array>
+#include <span>
 #include <vector>
 
+#include "solver/free_node.hpp"
 #include "solver/nodal_update.hpp"
 #include "solver/range_rows.hpp"
 
@@ -32,18 +33,15 @@ class PreparedUpdate {
   void apply(const Problem& problem, const StepLoad& load, Range nodes, const StressForces& forces,
              PhaseNodes& solid, PhaseNodes& fluid) const;
 
+  // The ends, and nodes without one of the phases, in the range: where update_node must be asked.
+  std::span<const std::size_t> special(Range nodes) const;
+  // Of the eight nodes from 8 * eight on.
+  const NodeCoefficients& coefficients(std::size_t eight) const { return coefficients_[eight]; }
+  double time_step() const { return dt_; }
+
  private:
   double dt_ = 0.0;
-  // Of eight neighbouring nodes; m is the mass of both phases.
-  struct Coefficients {
-    std::array<double, 8> fluid_share{};  // m_f/m
-    std::array<double, 8> push{};         // Δt/m
-    std::array<double, 8> decay{};        // e^(−θΔt)
-    std::array<double, 8> solid_drive{};  // Δt φ_1(θΔt)/m_s
-    std::array<double, 8> fluid_drive{};  // Δt φ_1(θΔt)/m_f
-  };
-
-  std::vector<Coefficients> coefficients_;
+  std::vector<NodeCoefficients> coefficients_;
   std::vector<std::size_t> special_;  // ends and nodes without one of the phases, ascending
 };
 

@@ -67,8 +67,8 @@ RangeRows range_rows(SparseRows&& rows) {
   result.row_offsets = std::move(rows.row_offsets);
   rows.columns = {};
   result.values = std::move(rows.values);
-  result.values.shrink_to_fit();
-  result.row_offsets.shrink_to_fit();
+  // Not for a little: it takes a second copy.
+  if (result.values.capacity() > result.values.size() * 5 / 4) result.values.shrink_to_fit();
   return result;
 }
 

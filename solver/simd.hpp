@@ -5,6 +5,10 @@
 // The solver is compiled without contraction to fused multiply-adds, which not every set has: the
 // same bits come out on every machine.
 
+#include <cstddef>
+#include <new>
+#include <vector>
+
 namespace porowave::solver {
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
@@ -41,5 +45,20 @@ POROWAVE_INLINE void write(const Four& from, double* to) {
 POROWAVE_INLINE void write(const Eight& from, double* to) {
   *reinterpret_cast<EightAnywhere*>(to) = from;
 }
+
+// Numbers that begin at a cache line: a register full of them then never lies across two.
+template <class T>
+struct LineAllocator {
+  using value_type = T;
+  LineAllocator() = default;
+  template <class U>
+  LineAllocator(const LineAllocator<U>&) {}
+  T* allocate(std::size_t count) {
+    return static_cast<T*>(::operator new (count * sizeof(T), std::align_val_t{64}));
+  }
+  void deallocate(T* at, std::size_t) { ::operator delete (at, std::align_val_t{64}); }
+  friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
+};
+using LineVector = std::vector<double, LineAllocator<double>>;
 
 }  // namespace porowave::solver

@@ -62,9 +62,11 @@ ShapeName functions_of(const Discretization& choice) {
 
 template <int Dim>
 Transfer<Dim>::Transfer(const PointSet<Dim>& points, const Grid<Dim>& grid,
-                        const Discretization& choice)
-    : linear_at_points_(shape_rows<Dim>(points.x, points.domain, grid, functions_of(choice))),
-      cell_count_(static_cast<std::size_t>(grid.cell_count())) {
+                        const Discretization& choice, TransferUse use)
+    : cell_count_(static_cast<std::size_t>(grid.cell_count())) {
+  if (use == TransferUse::all || choice.transfer != TransferName::mls) {
+    linear_at_points_ = shape_rows<Dim>(points.x, points.domain, grid, functions_of(choice));
+  }
   if (choice.transfer == TransferName::mls) {
     build_mls(points, grid, choice);
   } else {

@@ -42,12 +42,18 @@ struct TransferRows {
   SparseRows to_quadrature;
 };
 
+// What a transfer is made for. `compact_form` leaves out the rows of points that this form of a
+// step (column_operators.hpp) has no use for, half of all memory: to_points and gradient_at_points
+// then throw std::invalid_argument.
+enum class TransferUse { all, compact_form };
+
 template <int Dim>
 class Transfer {
  public:
   // Throws std::invalid_argument for positions that are not finite, and for recovered strains in
   // more than one dimension.
-  Transfer(const PointSet<Dim>& points, const Grid<Dim>& grid, const Discretization& choice);
+  Transfer(const PointSet<Dim>& points, const Grid<Dim>& grid, const Discretization& choice,
+           TransferUse use = TransferUse::all);
 
   // Kilograms (per unit area in 1D); zero where no point reaches the node.
   const std::vector<double>& nodal_mass() const { return nodal_mass_; }

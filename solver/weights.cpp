@@ -78,6 +78,28 @@ void append_mls_rows(std::span<const Vector<Dim>> evaluation_points, const CellL
   }
 }
 
+// Room for as many weights as evenly spread points would have: growing by doubling takes up to
+// three times the memory of the rows.
+template <int Dim>
+void reserve_rows(std::span<const Vector<Dim>> evaluation_points,
+                  std::span<const Vector<Dim>> points, double radius, SparseRows& rows) {
+  if (points.empty()) return;
+  Vector<Dim> low = points[0];
+  Vector<Dim> high = points[0];
+  for (const Vector<Dim>& x : points) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  double in_box = static_cast<double>(points.size());
+  for (int a = 0; a < Dim; ++a) in_box *= std::min(1.0, 2.0 * radius / (high[a] - low[a]));
+  const double margin = 1.02;
+  const auto count =
+      static_cast<std::size_t>(margin * in_box * static_cast<double>(evaluation_points.size()));
+  rows.row_offsets.reserve(evaluation_points.size() + 1);
+  rows.columns.reserve(count);
+  rows.values.reserve(count);
+}
+
 }  // namespace
 
 void multiply(const SparseRows& rows, std::span<const double> in, std::span<double> out) {
@@ -122,6 +144,7 @@ SparseRows mls_rows(std::span<const Vector<Dim>> evaluation_points,
   report = {};
   SparseRows rows;
   rows.column_count = points.size();
+  reserve_rows<Dim>(evaluation_points, points, support.radius, rows);
   const CellList<Dim> cells(points, grid_around<Dim>(points, support.radius));
   visit_kernel(kernel, [&]<class Kernel>(Kernel) {
     visit_order(basis_order, [&]<int Order>(std::integral_constant<int, Order>) {

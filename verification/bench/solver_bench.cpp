@@ -28,9 +28,10 @@ struct Scene {
   int elements = 4000;
   int points_per_element = 4;
   double support_radius = natural_radius(kernel_name<BSpline2>);
+  Placement placement = Placement::uniform;  // both phases then have the same points
 };
 
-/// The paper's column under a smooth load, bspline2, basis order 1, regular points.
+/// The paper's column under a smooth load, bspline2, basis order 1.
 Case case_of(const Scene& scene, StepPath path) {
   Case result;
   result.problem.material = {.porosity = 0.4,
@@ -45,6 +46,7 @@ Case case_of(const Scene& scene, StepPath path) {
   result.discretization.elements = scene.elements;
   result.discretization.points_per_element = scene.points_per_element;
   result.discretization.support_radius = scene.support_radius;
+  result.discretization.placement = scene.placement;
   result.time.end = 4.0e-5;
   result.time.path = path;
   return result;
@@ -197,9 +199,15 @@ SCENE(steps, points_1_million_wall_1_thread, StepPath::points, Scene{.elements =
       wall_now);
 SCENE(steps, points_1_million_wall_2_threads, StepPath::points, Scene{.elements = 125'000},
       wall_now, 2);
+SCENE(steps, points_4_stratified, StepPath::points, Scene{.placement = Placement::stratified});
+SCENE(steps, frozen_4_stratified, StepPath::frozen, Scene{.placement = Placement::stratified});
+SCENE(steps, frozen_1_million_cells, StepPath::frozen, Scene{.elements = 1'000'000});
 SCENE(compare, 4_a_cell, Scene{});
 SCENE(compare, 8_a_cell, Scene{.points_per_element = 8});
 SCENE(memory, points_1_million, StepPath::points, Scene{.elements = 125'000})->Iterations(1);
+SCENE(memory, points_1_million_stratified, StepPath::points,
+      Scene{.elements = 125'000, .placement = Placement::stratified})
+    ->Iterations(1);
 SCENE(memory, frozen_1_million, StepPath::frozen, Scene{.elements = 125'000})->Iterations(1);
 
 }  // namespace

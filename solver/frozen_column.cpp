@@ -1,0 +1,282 @@
+#include "solver/frozen_column.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "solver/simd.hpp"
+
+namespace porowave::solver {
+
+struct FrozenColumn::Scratch {
+  // Eight values of the part before, the part, and one node beyond.
+  struct Line {
+    alignas(64) std::array<double, part_nodes + 16> values;  // filled by the step
+    double* data() { return values.data() + 8; }
+    const double* data() const { return values.data() + 8; }
+  };
+  Line solid_velocity, fluid_velocity, effective_stress, pore_pressure, new_solid, new_fluid;
+};
+
+namespace {
+
+constexpr std::size_t part_nodes = FrozenColumn::part_nodes;
+
+struct Arrays {
+  const double* solid_velocity;
+  const double* fluid_velocity;
+  const double* effective_stress;  // of the cells behind the nodes; those before stand before
+  const double* pore_pressure;
+  double* new_solid;
+  double* new_fluid;
+};
+
+POROWAVE_VECTORISED void move_nodes(const NodeCoefficients* coefficients, double ns, double nf,
+                                    const Arrays& at, std::size_t eights) {
+  for (std::size_t k = 0; k < eights; ++k) {
+    const std::size_t i = 8 * k;
+    Eight effective, pressure, before, vs, vf, new_vs, new_vf;
+    read(at.effective_stress + i, effective);
+    read(at.effective_stress + i - 1, before);
+    effective -= before;
+    read(at.pore_pressure + i, pressure);
+    read(at.pore_pressure + i - 1, before);
+    pressure -= before;
+    read(at.solid_velocity + i, vs);
+    read(at.fluid_velocity + i, vf);
+    move_free(coefficients[k], 0, ns, nf, effective, pressure, vs, vf, new_vs, new_vf);
+    write(new_vs, at.new_solid + i);
+    write(new_vf, at.new_fluid + i);
+  }
+}
+
+// q ← flip (q − v) + v'; gives Σ v'².
+POROWAVE_VECTORISED double update_node_values(double flip, const double* __restrict v,
+                                              const double* __restrict v_new,
+                                              const double* __restrict q, std::size_t eights,
+                                              double* __restrict q_new) {
+  Eight squares = {};
+  for (std::size_t i = 0; i < 8 * eights; i += 8) {
+    Eight before, after, value;
+    read(v + i, before);
+    read(v_new + i, after);
+    read(q + i, value);
+    squares += after * after;
+    write(flip * (value - before) + after, q_new + i);
+  }
+  double sum = 0.0;
+  for (int k = 0; k < 8; ++k) sum += squares[k];
+  return sum;
+}
+
+// e ← e + solid (v_s' differences) + fluid (v_f' differences)
+POROWAVE_VECTORISED void update_cell_values(double solid, double fluid, const Arrays& at,
+                                            const double* const* e, std::size_t eights,
+                                            double effective, double* const* e_new) {
+  for (std::size_t i = 0; i < 8 * eights; i += 8) {
+    Eight here, next, value;
+    read(at.new_solid + i, here);
+    read(at.new_solid + i + 1, next);
+    const Eight solid_rise = next - here;
+    read(at.new_fluid + i, here);
+    read(at.new_fluid + i + 1, next);
+    const Eight fluid_rise = next - here;
+    read(e[0] + i, value);
+    write(value + effective * solid_rise, e_new[0] + i);
+    read(e[1] + i, value);
+    write(value + (solid * solid_rise + fluid * fluid_rise), e_new[1] + i);
+  }
+}
+
+std::vector<int> cells_of_points(const CompactOperators& compact) {
+  std::vector<int> cell(compact.points_of({0, compact.cell_count()}).last);
+  for (std::size_t c = 0; c < compact.cell_count(); ++c) {
+    const Range points = compact.points_of({c, c + 1});
+    std::fill(cell.begin() + static_cast<std::ptrdiff_t>(points.first),
+              cell.begin() + static_cast<std::ptrdiff_t>(points.last), static_cast<int>(c));
+  }
+  return cell;
+}
+
+std::shared_ptr<const BandedRows> node_band(const CompactOperators& compact) {
+  const std::vector<int> cell = cells_of_points(compact);
+  return std::make_shared<BandedRows>(compact.node_rows(), [&](std::size_t p) {
+    const double t = compact.place_in_cell(p);
+    return PointRow{cell[p], {1.0 - t, t}};
+  });
+}
+
+std::shared_ptr<const BandedRows> cell_band(const CompactOperators& compact) {
+  const std::vector<int> cell = cells_of_points(compact);
+  return std::make_shared<BandedRows>(compact.cell_rows(), [&](std::size_t p) {
+    return PointRow{cell[p], {1.0, 0.0}};
+  });
+}
+
+template <class Band>
+std::shared_ptr<const BandedPair> pair_of(const CompactOperators& solid,
+                                          const CompactOperators& fluid, Band&& band) {
+  const auto of_solid = band(solid);
+  return std::make_shared<BandedPair>(of_solid, &solid == &fluid ? of_solid : band(fluid),
+                                      solid.cell_count() + 1);
+}
+
+std::shared_ptr<const CompactOperators> compact_form(
+    const std::shared_ptr<const ColumnOperators>& operators) {
+  auto compact = std::dynamic_pointer_cast<const CompactOperators>(operators);
+  if (!compact) throw std::invalid_argument("frozen column: operators without compact form");
+  return compact;
+}
+
+void settle_phase(const CompactOperators& at, const double* q, const double* e,
+                  PointValues& points) {
+  at.to_points(q, points.velocity.data());
+  for (std::size_t c = 0; c < at.cell_count(); ++c) {
+    const Range there = at.points_of({c, c + 1});
+    std::fill(points.stress.begin() + static_cast<std::ptrdiff_t>(there.first),
+              points.stress.begin() + static_cast<std::ptrdiff_t>(there.last), e[c]);
+  }
+}
+
+}  // namespace
+
+FrozenColumn::FrozenColumn(const std::shared_ptr<const ColumnOperators>& solid,
+                           const std::shared_ptr<const ColumnOperators>& fluid,
+                           const Constants& constants)
+    : solid_points_(compact_form(solid)),
+      fluid_points_(compact_form(fluid)),
+      to_nodes_(pair_of(*solid_points_, *fluid_points_, node_band)),
+      to_cells_(pair_of(*solid_points_, *fluid_points_, cell_band)),
+      constants_(constants),
+      spacing_(solid_points_->spacing()),
+      node_count_(solid_points_->cell_count() + 1) {
+  const std::size_t parts = (node_count_ + part_nodes - 1) / part_nodes;
+  const PaddedValues nodal(node_count_, to_nodes_->reach() + 8);
+  const PaddedValues cellwise(node_count_, to_cells_->reach() + 8);
+  nodes_ = new_nodes_ = {nodal, nodal};
+  cells_ = new_cells_ = {cellwise, cellwise};
+  ends_.resize(parts + 1);  // beyond the last part nothing moves
+}
+
+bool FrozenColumn::possible(const ColumnOperators& points) {
+  return dynamic_cast<const CompactOperators*>(&points) != nullptr;
+}
+
+void FrozenColumn::update_specials(const Problem& problem, const StepLoad& load,
+                                   const PreparedUpdate& update, Range nodes, Scratch& at,
+                                   PhaseNodes& solid, PhaseNodes& fluid) const {
+  for (const std::size_t i : update.special(nodes)) {
+    const std::size_t k = i - nodes.first;
+    const double* effective = at.effective_stress.data() + k;
+    const double* pressure = at.pore_pressure.data() + k;
+    const double pressure_force = pressure[0] - pressure[-1];
+    solid.force[i] = effective[0] - effective[-1] - constants_.solid_fraction * pressure_force;
+    fluid.force[i] = -constants_.porosity * pressure_force;
+    solid.velocity[i] = at.solid_velocity.data()[k];
+    fluid.velocity[i] = at.fluid_velocity.data()[k];
+    update_node(problem, load, constants_.time_step, i, solid, fluid);
+    at.solid_velocity.data()[k] = solid.velocity[i];
+    at.fluid_velocity.data()[k] = fluid.velocity[i];
+    at.new_solid.data()[k] = solid.new_velocity[i];
+    at.new_fluid.data()[k] = fluid.new_velocity[i];
+  }
+}
+
+void FrozenColumn::step(const Problem& problem, const StepLoad& load, const PreparedUpdate& update,
+                        Range nodes, PhaseNodes& solid, PhaseNodes& fluid) {
+  Scratch at;  // large, and all of it is written below
+  const std::size_t first = nodes.first;
+  const std::size_t eights = (nodes.size() + 7) / 8;
+  const Range rows{first / 8, first / 8 + eights};
+  to_nodes_->multiply(rows, nodes_.solid.data(), nodes_.fluid.data(), at.solid_velocity.data(),
+                      at.fluid_velocity.data());
+  to_cells_->multiply(rows, cells_.solid.data(), cells_.fluid.data(), at.effective_stress.data(),
+                      at.pore_pressure.data());
+  // The cell before the first node belongs to the part before; there is none before the column.
+  at.effective_stress.data()[-1] = at.pore_pressure.data()[-1] = 0.0;
+  if (first > 0) {
+    to_cells_->multiply({rows.first - 1, rows.first}, cells_.solid.data(), cells_.fluid.data(),
+                        at.effective_stress.data() - 8, at.pore_pressure.data() - 8);
+  }
+  const Arrays arrays{at.solid_velocity.data(),   at.fluid_velocity.data(),
+                      at.effective_stress.data(), at.pore_pressure.data(),
+                      at.new_solid.data(),        at.new_fluid.data()};
+  move_nodes(&update.coefficients(rows.first), constants_.solid_fraction, constants_.porosity,
+             arrays, eights);
+  update_specials(problem, load, update, nodes, at, solid, fluid);
+  std::fill_n(at.new_solid.data() + 8 * eights, 8, 0.0);
+  std::fill_n(at.new_fluid.data() + 8 * eights, 8, 0.0);
+
+  const double squares = std::max(
+      update_node_values(constants_.flip, arrays.solid_velocity, arrays.new_solid,
+                         nodes_.solid.data() + first, eights, new_nodes_.solid.data() + first),
+      update_node_values(constants_.flip, arrays.fluid_velocity, arrays.new_fluid,
+                         nodes_.fluid.data() + first, eights, new_nodes_.fluid.data() + first));
+  const double factor = constants_.pore_pressure / spacing_;
+  const double* e[2] = {cells_.solid.data() + first, cells_.fluid.data() + first};
+  double* e_new[2] = {new_cells_.solid.data() + first, new_cells_.fluid.data() + first};
+  update_cell_values(factor * constants_.solid_fraction, factor * constants_.porosity, arrays, e,
+                     eights, constants_.effective_stress / spacing_, e_new);
+  PartEnds& ends = ends_[first / part_nodes];
+  ends = {arrays.new_solid[0], arrays.new_fluid[0], 0.0, 0.0, squares};
+  if (8 * eights < part_nodes) return;  // the part reaches beyond the signal or the column
+  ends.solid_last = arrays.new_solid[part_nodes - 1];
+  ends.fluid_last = arrays.new_fluid[part_nodes - 1];
+}
+
+void FrozenColumn::end_step() {
+  const double factor = constants_.pore_pressure / spacing_;
+  double squares = 0.0;
+  for (std::size_t k = 0; k + 1 < ends_.size(); ++k) {
+    squares = std::max(squares, ends_[k].squares);
+    const std::size_t c = (k + 1) * part_nodes - 1;  // between this part and the next one
+    if (c + 1 >= node_count_) break;
+    const double solid_rise = ends_[k + 1].solid_first - ends_[k].solid_last;
+    const double fluid_rise = ends_[k + 1].fluid_first - ends_[k].fluid_last;
+    new_cells_.solid.data()[c] =
+        cells_.solid.data()[c] + constants_.effective_stress / spacing_ * solid_rise;
+    new_cells_.fluid.data()[c] =
+        cells_.fluid.data()[c] +
+        factor * (constants_.solid_fraction * solid_rise + constants_.porosity * fluid_rise);
+  }
+  std::swap(nodes_, new_nodes_);
+  std::swap(cells_, new_cells_);
+  solid_first_displacement_ += constants_.time_step * ends_[0].solid_first;
+  fluid_first_displacement_ += constants_.time_step * ends_[0].fluid_first;
+  displacement_bound_ += constants_.time_step * std::sqrt(squares);
+}
+
+void FrozenColumn::displacements(std::span<double> solid, std::span<double> fluid) {
+  const double ns = constants_.solid_fraction;
+  const double nf = constants_.porosity;
+  solid[0] = solid_first_displacement_;
+  fluid[0] = fluid_first_displacement_;
+  double largest = std::max(std::abs(solid[0]), std::abs(fluid[0]));
+  for (std::size_t c = 0; c + 1 < node_count_; ++c) {
+    const double solid_rise =
+        cells_.solid.data()[c] * constants_.time_step * spacing_ / constants_.effective_stress;
+    const double mixture_rise =
+        cells_.fluid.data()[c] * constants_.time_step * spacing_ / constants_.pore_pressure;
+    solid[c + 1] = solid[c] + solid_rise;
+    fluid[c + 1] = fluid[c] + (mixture_rise - ns * solid_rise) / nf;
+    largest = std::max({largest, std::abs(solid[c + 1]), std::abs(fluid[c + 1])});
+  }
+  displacement_bound_ = largest;
+}
+
+void FrozenColumn::settle(PointValues& solid, PointValues& fluid) const {
+  settle_phase(*solid_points_, nodes_.solid.data(), cells_.solid.data(), solid);
+  settle_phase(*fluid_points_, nodes_.fluid.data(), cells_.fluid.data(), fluid);
+}
+
+std::array<std::span<const double>, 2> FrozenColumn::node_values() const {
+  return {std::span(nodes_.solid.data(), node_count_), std::span(nodes_.fluid.data(), node_count_)};
+}
+
+std::array<std::span<const double>, 2> FrozenColumn::cell_values() const {
+  return {std::span(cells_.solid.data(), node_count_ - 1),
+          std::span(cells_.fluid.data(), node_count_ - 1)};
+}
+
+}  // namespace porowave::solver
