@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "solver/column_solver.hpp"
@@ -42,6 +44,49 @@ bool bounded(std::span<const double> values, double limit) {
 
 }  // namespace
 
+// What eliminates the points knows of the load only, and so does what is left out ahead of it.
+void ColumnSolver::drive_otherwise() {
+  if (step_ > 0) throw std::invalid_argument("column solver: the run has begun");
+  if (scene_.time.path == StepPath::frozen) {
+    throw std::invalid_argument(
+        "column solver: path = \"frozen\" is for runs that only their load drives; "
+        "expected \"auto\" or \"points\"");
+  }
+  thaw();
+  only_loaded_ = false;
+  disregard_causality();
+}
+
+void ColumnSolver::set_body_force(BodyForce force) {
+  drive_otherwise();
+  body_force_ = std::move(force);
+}
+
+void ColumnSolver::start_from(const std::function<Fields(double x, double t)>& fields) {
+  if (scene_.discretization.transfer == TransferName::apic) {
+    throw std::invalid_argument("column solver: points of apic start at rest");
+  }
+  drive_otherwise();
+  has_past_ = true;
+  for (PhaseState* state : {&solid_, &fluid_}) {
+    const bool is_solid = state == &solid_;
+    for (std::size_t p = 0; p < state->points.x.size(); ++p) {
+      const double x = state->points.x[p][0];
+      const Fields before = fields(x, -0.5 * dt_);
+      const Fields now = fields(x, 0.0);
+      state->values.velocity[p] = is_solid ? before.solid_velocity : before.fluid_velocity;
+      state->values.stress[p] = is_solid ? now.effective_stress : now.pore_pressure;
+    }
+  }
+}
+
+// Where nothing was before t = 0, the first step feels the force for its second half only.
+void ColumnSolver::add_body_force(Range nodes, double* effective, double* pressure) const {
+  const double share = step_ > 0 || has_past_ ? 1.0 : 0.5;
+  solver::add_body_force(body_force_, time(), share, scene_.problem.material, grid_,
+                         {solid_.nodes.volume, fluid_.nodes.volume}, nodes, effective, pressure);
+}
+
 // Points that are eliminated have at most the values of nodes, and twice those of cells.
 bool ColumnSolver::surely_bounded(double velocity, double stress) const {
   const auto q = frozen_->node_values();
@@ -51,8 +96,9 @@ bool ColumnSolver::surely_bounded(double velocity, double stress) const {
 }
 
 std::optional<Breakdown> ColumnSolver::find_breakdown() const {
-  const double stress = growth_limit * scene_.problem.stress_scale();
-  const double velocity = growth_limit * scene_.problem.velocity_scale();
+  constexpr double finite = std::numeric_limits<double>::max();
+  const double stress = only_loaded_ ? growth_limit * scene_.problem.stress_scale() : finite;
+  const double velocity = only_loaded_ ? growth_limit * scene_.problem.velocity_scale() : finite;
   if (frozen_) {
     if (surely_bounded(velocity, stress)) return std::nullopt;
     ColumnSolver now(*this);
@@ -101,6 +147,9 @@ void ColumnSolver::synchronise_velocities() {
                                     pressure_force.data());
   solid_.prepared.operators->gather(solid_.values, {0, node_count_}, solid_.nodes.velocity.data(),
                                     solid_.nodes.force.data());
+  if (body_force_) {
+    add_body_force({0, node_count_}, solid_.nodes.force.data(), pressure_force.data());
+  }
   // f_s = −∫ ∂N (σ′ − n_s p), f_f = −∫ ∂N (−n_f p); p is integrated over the fluid's points.
   for (std::size_t i = 0; i < node_count_; ++i) {
     solid_.nodes.force[i] -= ns * pressure_force[i];
@@ -121,7 +170,7 @@ void ColumnSolver::synchronise_velocities() {
 Snapshot ColumnSolver::snapshot() const {
   ColumnSolver now(*this);
   now.thaw();
-  if (step_ > 0) now.synchronise_velocities();
+  if (step_ > 0 || has_past_) now.synchronise_velocities();
   now.move_points();
   const auto points_of = [](PhaseState& state) {
     return PhasePoints{coordinates(state.points), std::move(state.points.volume),

@@ -299,6 +299,7 @@ bool ColumnSolver::sweep_to_nodes(const StepLoad& load, Range nodes, PartScratch
       solid_.values, nodes, solid_.nodes.velocity.data() + nodes.first, scratch.first.data());
   fluid_.prepared.operators->gather(
       fluid_.values, nodes, fluid_.nodes.velocity.data() + nodes.first, scratch.second.data());
+  if (body_force_) add_body_force(nodes, scratch.first.data(), scratch.second.data());
   update_.apply(scene_.problem, load, nodes, {scratch.first.data(), scratch.second.data()},
                 solid_.nodes, fluid_.nodes);
   const double limit = reweight_share * grid_.spacing;

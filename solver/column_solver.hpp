@@ -26,10 +26,12 @@
 // Limits of this version: linear elastic solid, one dimension, strains small; the far end
 // "half_space" is a column too long for a reflection to arrive before the end of the run.
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "solver/body_force.hpp"
 #include "solver/case.hpp"
 #include "solver/column_operators.hpp"
 #include "solver/frozen_column.hpp"
@@ -96,6 +98,17 @@ class ColumnSolver {
   // Steps all nodes from now on, also those that no signal can have reached.
   void disregard_causality() { window_ = node_count_; }
 
+  // What manufactured solutions need, before the first step (std::invalid_argument after it). The
+  // run is then not driven by its load alone: it visits its points (std::invalid_argument if the
+  // case asks for path = "frozen"), all nodes are stepped, and `run` stops at values that are not
+  // finite, however large.
+  //
+  // The force acts on both phases, see body_force.hpp; from t = 0 on if the run starts at rest.
+  void set_body_force(BodyForce force);
+  // Points start with the stresses of time 0 and the velocities of half a step before. Throws
+  // std::invalid_argument for apic, whose points carry more than that.
+  void start_from(const std::function<Fields(double x, double t)>& fields);
+
   void step();
   // Runs to the planned end. Stops early, and says why, when a field is not finite or more than
   // 10^6 times as large as the load, and when path = "frozen" is asked for and points have moved by
@@ -139,6 +152,8 @@ class ColumnSolver {
   void sweep_to_points(Range nodes, PartScratch& scratch);
   void end_step(bool moved);
   void widen_window();
+  void drive_otherwise();  // than by the load alone
+  void add_body_force(Range nodes, double* effective, double* pressure) const;
   void synchronise_velocities();  // half a step, after which the object cannot step on
   bool surely_bounded(double velocity, double stress) const;
   std::optional<Breakdown> find_breakdown() const;
@@ -160,6 +175,9 @@ class ColumnSolver {
   bool lagged_;             // whether a part reaches no farther than the next one
   std::size_t threads_;
   std::vector<PartScratch> scratch_;  // one a thread
+  BodyForce body_force_;              // may be empty
+  bool only_loaded_ = true;           // starts at rest, no body force
+  bool has_past_ = false;             // does not start at rest
 };
 
 }  // namespace porowave::solver

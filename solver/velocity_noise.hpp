@@ -13,6 +13,7 @@
 // m = 2 on what is lost of smooth fields is of higher order than the scheme.
 
 #include <span>
+#include <vector>
 
 #include "solver/transfer.hpp"
 
@@ -22,5 +23,21 @@ namespace porowave::solver {
 // every order beyond the first.
 void remove_velocity_noise(const Transfer<1>& transfer, int order, std::span<const double> nodal,
                            std::span<double> velocity);
+
+// The same for any pair of transfers, to_nodes(points, nodes) = S⁺ and to_points(nodes, points) =
+// S.
+template <class ToNodes, class ToPoints>
+void remove_velocity_noise(ToNodes&& to_nodes, ToPoints&& to_points, int order,
+                           std::span<const double> nodal, std::span<double> velocity) {
+  std::vector<double> at_nodes(nodal.begin(), nodal.end());
+  std::vector<double> seen(velocity.size());
+  std::vector<double> rest(velocity.begin(), velocity.end());
+  for (int k = 1; k <= order; ++k) {
+    if (k > 1) to_nodes(std::span<const double>(rest), std::span<double>(at_nodes));
+    to_points(std::span<const double>(at_nodes), std::span<double>(seen));
+    for (std::size_t p = 0; p < rest.size(); ++p) rest[p] -= seen[p];
+  }
+  for (std::size_t p = 0; p < rest.size(); ++p) velocity[p] -= rest[p];
+}
 
 }  // namespace porowave::solver

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <ctime>
 #include <memory>
 #include <thread>
 
@@ -66,10 +67,12 @@ int report(const verification::SweepSummary& summary, const std::string& store, 
   const auto count = [&](CaseStatus s) { return summary.by_status[static_cast<std::size_t>(s)]; };
   fmt::print(
       "{} cases: {} were in the store; run now in {:.1f} s: {} done, {} broke down, {} refused, "
-      "{} failed; the solver took {:.1f} s of CPU\nwrote {}\n",
+      "{} failed\nCPU time: solver {:.1f} s, reference and errors {:.1f} s, all else {:.1f} "
+      "s\nwrote {}\n",
       summary.cases, summary.reused, seconds, count(CaseStatus::done),
       count(CaseStatus::broke_down), count(CaseStatus::refused), count(CaseStatus::failed),
-      summary.case_cpu_seconds, store);
+      summary.solver_cpu_seconds, summary.case_cpu_seconds - summary.solver_cpu_seconds,
+      static_cast<double>(std::clock()) / CLOCKS_PER_SEC - summary.case_cpu_seconds, store);
   if (summary.stopped) {
     fmt::print(stderr, "porowave: stopped by a signal; the same command goes on from here\n");
     return exit_stopped;

@@ -20,6 +20,12 @@ std::string now() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
 
+std::int64_t thread_cpu_nanoseconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::int64_t{1'000'000'000} * time.tv_sec + time.tv_nsec;
+}
+
 void set_result(const RunResult& result, Record& record) {
   record.steps = result.steps;
   record.time_step = result.time_step;
@@ -79,6 +85,7 @@ std::string problem_text(const StudyCase& one) {
 }  // namespace
 
 Record CaseRunner::run(const StudyCase& one) {
+  const std::int64_t start = thread_cpu_nanoseconds();
   Record record;
   record.id = one.id;
   record.study = study_;
@@ -103,6 +110,7 @@ Record CaseRunner::run(const StudyCase& one) {
     set_failure(CaseStatus::failed, error.what(), record);
   }
   record.finished = now();
+  cpu_nanoseconds_ += thread_cpu_nanoseconds() - start;
   return record;
 }
 

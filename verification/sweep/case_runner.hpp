@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <future>
 #include <map>
 #include <memory>
@@ -26,11 +28,14 @@ class CaseRunner {
   /// A case with its errors and cost. Nothing that goes wrong in it is thrown: it is the record's
   /// status and reason.
   Record run(const StudyCase& one);
+  /// CPU time of all that was run, s: solver, reference and errors.
+  double cpu_seconds() const { return 1e-9 * static_cast<double>(cpu_nanoseconds_); }
 
  private:
   using ProfilePointer = std::shared_ptr<const reference::Profile>;
   ProfilePointer profile_of(const StudyCase& one);
 
+  std::atomic<std::int64_t> cpu_nanoseconds_ = 0;
   std::string study_;
   std::string provenance_;
   std::optional<Adapter> adapter_;

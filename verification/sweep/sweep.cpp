@@ -150,7 +150,7 @@ SweepSummary sweep(const Study& study, Store& store, const SweepOptions& options
       if (!records.empty()) store.add(records);
       for (const Record& record : records) {
         ++summary.by_status[static_cast<std::size_t>(record.status)];
-        summary.case_cpu_seconds += record.cpu_seconds;
+        summary.solver_cpu_seconds += record.cpu_seconds;
       }
       done += records.size();
       if (options.progress) options.progress(done + skipped, cases.size());
@@ -164,6 +164,7 @@ SweepSummary sweep(const Study& study, Store& store, const SweepOptions& options
     throw;
   }
   summary.reused += skipped;
+  summary.case_cpu_seconds = runner.cpu_seconds();
   summary.stopped = done + skipped < cases.size();
   return summary;
 }

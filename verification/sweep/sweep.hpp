@@ -29,7 +29,8 @@ struct SweepSummary {
   std::size_t cases = 0;   ///< of the study, or of the shard
   std::size_t reused = 0;  ///< in the store before, or done by another sweep meanwhile
   std::array<std::size_t, 4> by_status{};  ///< of those run now, in the order of CaseStatus
-  double case_cpu_seconds = 0.0;           ///< of the solver, in those run now
+  double solver_cpu_seconds = 0.0;         ///< in those run now
+  double case_cpu_seconds = 0.0;           ///< the same with reference and errors
   bool stopped = false;
 };
 
