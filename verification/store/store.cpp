@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 
 #include "reference/problem/errors.hpp"
@@ -116,8 +115,10 @@ Record record_of(const Statement& row) {
 }  // namespace
 
 Store Store::create_or_open(const std::string& path) {
-  const bool fresh = !std::filesystem::exists(path) || std::filesystem::file_size(path) == 0;
   Store store(Database(path, Database::Mode::create));
+  // A program killed while it made its store has left a database without anything in it.
+  const bool fresh = store.number("PRAGMA application_id") == 0 &&
+                     store.number("SELECT count(*) FROM sqlite_master") == 0;
   if (!fresh) store.require_version();
   store.database_.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
   store.database_.execute(
@@ -133,12 +134,13 @@ Store Store::open(const std::string& path) {
   return store;
 }
 
+std::int64_t Store::number(const char* sql) const {
+  Statement statement = database_.prepare(sql);
+  statement.step();
+  return statement.integer(0);
+}
+
 void Store::require_version() const {
-  const auto number = [this](const char* sql) {
-    Statement statement = database_.prepare(sql);
-    statement.step();
-    return statement.integer(0);
-  };
   if (number("PRAGMA application_id") != application) {
     throw InputError(path() + ": is a database of another program: expected a store of porowave");
   }

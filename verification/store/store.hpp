@@ -39,6 +39,7 @@ class Store {
 
  private:
   explicit Store(Database database) : database_(std::move(database)) {}
+  std::int64_t number(const char* sql) const;  ///< the one number that a query gives
   void require_version() const;
   mutable Database database_;
 };

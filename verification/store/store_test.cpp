@@ -134,6 +134,16 @@ BOOST_AUTO_TEST_CASE(files_that_are_no_store_are_refused_and_left_as_they_are) {
   BOOST_CHECK_THROW(Store::open(directory.file("newer")), InputError);
 }
 
+BOOST_AUTO_TEST_CASE(a_store_whose_making_was_cut_short_is_made_again) {
+  const ScratchDirectory directory;
+  // What a kill leaves: a database in WAL mode, without a table and of nobody.
+  Database(directory.file("results"), Database::Mode::create).execute("PRAGMA journal_mode = WAL");
+  BOOST_REQUIRE(std::filesystem::file_size(directory.file("results")) > 0U);
+  Store store = Store::create_or_open(directory.file("results"));
+  store.add({record("a")});
+  BOOST_TEST(store.all().size() == 1U);
+}
+
 BOOST_AUTO_TEST_CASE(on_a_full_disk_a_transaction_is_dropped_whole_and_the_store_goes_on) {
   const ScratchDirectory directory;
   Store store = Store::create_or_open(directory.file("results"));
