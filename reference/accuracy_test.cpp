@@ -6,32 +6,16 @@
 #include <mutex>
 #include <thread>
 
+#include "reference/field_fixtures.hpp"
 #include "reference/fifty_digits.hpp"
 #include "reference/random_points.hpp"
+#include "reference/waves.hpp"
 
 using namespace porowave;
+using fixtures::shares;
+using fixtures::Worst;
 
 namespace {
-
-/// The largest of something, and the point it belongs to.
-struct Worst {
-  double size = 0.0;
-  std::string where = "none";
-  void see(double value, const std::string& point) {
-    if (value > size || std::isnan(value)) {
-      size = value;
-      where = point;
-    }
-  }
-};
-
-/// The Ricker wavelet starts and ends with a jump of 3.7e-17, which both routes leave out; what a
-/// slow wave makes of it as velocity, in shares of the load, is this many times as large.
-double slow_wave_factor(const Problem& problem) {
-  const Material& m = problem.material;
-  return m.mixture_density() * m.undrained_speed() /
-         (std::min(m.solid_partial_density(), m.fluid_partial_density()) * wave_speeds(m).p2);
-}
 
 struct Tally {
   std::mutex lock;
@@ -48,13 +32,6 @@ struct Tally {
   int large = 0;       ///< errors above 1e-13
   int loose = 0;       ///< of these, with a bound more than 100 times as large
 };
-
-std::array<double, 4> shares(const Problem& problem, const Fields& f) {
-  const double stress = problem.stress_scale();
-  const double velocity = problem.velocity_scale();
-  return {f.effective_stress / stress, f.pore_pressure / stress, f.solid_velocity / velocity,
-          f.fluid_velocity / velocity};
-}
 
 std::string description(int number, const fixtures::RandomPoint& p) {
   std::ostringstream text;
@@ -77,7 +54,8 @@ void compare(int number, const fixtures::RandomPoint& point, Tally& tally) {
   const auto bound = shares(point.problem, main.error);
   const auto truth = shares(point.problem, exact.value);
   const bool ricker = point.problem.load.shape() == LoadShape::ricker;
-  const double cut = ricker ? 4e-17 * slow_wave_factor(point.problem) : 0.0;
+  // The Ricker wavelet starts and ends with a jump of 3.7e-17, which both routes leave out.
+  const double cut = ricker ? 4e-17 * reference::slow_wave_factor(point.problem.material) : 0.0;
   const std::string where = description(number, point);
   const std::lock_guard<std::mutex> guard(tally.lock);
   ++tally.points;

@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <limits>
 
+#include "reference/field_fixtures.hpp"
 #include "reference/problem/errors.hpp"
 #include "reference/problem/problem_fixtures.hpp"
 #include "reference/random_problems.hpp"
@@ -10,26 +11,10 @@
 using namespace porowave;
 using namespace porowave::reference;
 namespace tt = boost::test_tools;
+using fixtures::as_array;
+using fixtures::derivative;
 
 namespace {
-
-std::array<double, 4> as_array(const Fields& f) {
-  return {f.effective_stress, f.pore_pressure, f.solid_velocity, f.fluid_velocity};
-}
-
-/// Difference quotient of fourth order, field by field.
-template <class Function>
-std::array<double, 4> derivative(Function&& fields_at, double step) {
-  const auto a = as_array(fields_at(-2 * step));
-  const auto b = as_array(fields_at(-step));
-  const auto c = as_array(fields_at(step));
-  const auto d = as_array(fields_at(2 * step));
-  std::array<double, 4> result;
-  for (std::size_t f = 0; f < 4; ++f) {
-    result[f] = (a[f] - 8 * b[f] + 8 * c[f] - d[f]) / (12 * step);
-  }
-  return result;
-}
 
 /// What is left of the four governing equations (problem.hpp), each relative to `size`.
 double residual(const ColumnSolution& solution, double x, double t, double period) {

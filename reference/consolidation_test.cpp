@@ -3,6 +3,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <numbers>
 
+#include "reference/field_fixtures.hpp"
 #include "reference/limits_fixtures.hpp"
 #include "reference/problem/errors.hpp"
 #include "reference/problem/problem_fixtures.hpp"
@@ -28,22 +29,6 @@ double unit_rate(LoadShape shape, double t, double T) {
   if (shape == LoadShape::smooth_ramp) return 30.0 / T * z * z * (1 - z) * (1 - z);
   const double sine = std::sin(pi * z);
   return 4.0 * pi / T * sine * sine * sine * std::cos(pi * z);
-}
-
-template <class Function>
-Four derivative(Function&& fields_at, double step) {
-  const auto as_array = [](const Fields& f) -> Four {
-    return {f.effective_stress, f.pore_pressure, f.solid_velocity, f.fluid_velocity};
-  };
-  const Four a = as_array(fields_at(-2 * step));
-  const Four b = as_array(fields_at(-step));
-  const Four c = as_array(fields_at(step));
-  const Four d = as_array(fields_at(2 * step));
-  Four result;
-  for (std::size_t f = 0; f < 4; ++f) {
-    result[f] = (a[f] - 8 * b[f] + 8 * c[f] - d[f]) / (12 * step);
-  }
-  return result;
 }
 
 /// L^2/c_v

@@ -4,22 +4,15 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/field_fixtures.hpp"
 #include "reference/problem/problem_fixtures.hpp"
 #include "reference/random_points.hpp"
 #include "reference/tables/truth.hpp"
 
 using namespace porowave;
+using fixtures::distance;
 
 namespace {
-
-double distance(const Problem& problem, const Fields& a, const Fields& b) {
-  const double stress = problem.stress_scale();
-  const double velocity = problem.velocity_scale();
-  return std::max({std::abs(a.effective_stress - b.effective_stress) / stress,
-                   std::abs(a.pore_pressure - b.pore_pressure) / stress,
-                   std::abs(a.solid_velocity - b.solid_velocity) / velocity,
-                   std::abs(a.fluid_velocity - b.fluid_velocity) / velocity});
-}
 
 Fields fifty_digits_at(const Problem& problem, double x, double t) {
   return fixtures::fifty_digits(problem, x, t).value;

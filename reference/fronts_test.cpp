@@ -4,18 +4,16 @@
 #include <limits>
 
 #include "reference/column_solution.hpp"
+#include "reference/field_fixtures.hpp"
 #include "reference/problem/errors.hpp"
 #include "reference/problem/problem_fixtures.hpp"
 #include "reference/random_problems.hpp"
 
 using namespace porowave;
 using namespace porowave::reference;
+using fixtures::as_array;
 
 namespace {
-
-std::array<double, 4> as_array(const Fields& f) {
-  return {f.effective_stress, f.pore_pressure, f.solid_velocity, f.fluid_velocity};
-}
 
 std::vector<Front> fronts_of(const Problem& problem, double t) {
   return fronts_at(problem, WaveModes(problem.material), t);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
@@ -9,11 +8,10 @@
 #include <vector>
 
 #include "reference/column_solution.hpp"
+#include "reference/field_fixtures.hpp"
 
 /// How fast the exact solution tends to a limit.
 namespace porowave::fixtures {
-
-using Four = std::array<double, 4>;
 
 /// Deviation of the exact fields from those of a limit, in units of the load: effective stress,
 /// pore pressure, solid velocity, fluid velocity.

@@ -7,6 +7,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "reference/column_solution.hpp"
+#include "reference/field_fixtures.hpp"
 #include "reference/modal_modes.hpp"
 #include "reference/problem/errors.hpp"
 #include "reference/problem/problem_fixtures.hpp"
@@ -15,29 +16,12 @@
 using namespace porowave;
 using namespace porowave::reference;
 namespace tt = boost::test_tools;
+using fixtures::as_array;
+using fixtures::distance;
+using fixtures::Four;
+using fixtures::largest_share;
 
 namespace {
-
-using Four = std::array<double, 4>;
-
-Four as_array(const Fields& f) {
-  return {f.effective_stress, f.pore_pressure, f.solid_velocity, f.fluid_velocity};
-}
-
-/// Largest of the four differences, each relative to the load.
-double distance(const Problem& problem, const Fields& a, const Fields& b) {
-  const Four p = as_array(a);
-  const Four q = as_array(b);
-  double worst = 0.0;
-  for (std::size_t f = 0; f < 4; ++f) {
-    const double unit = f < 2 ? problem.stress_scale() : problem.velocity_scale();
-    worst = std::max(worst, std::abs(p[f] - q[f]) / unit);
-  }
-  return worst;
-}
-double size(const Problem& problem, const Fields& fields) {
-  return distance(problem, fields, Fields());
-}
 
 /// The matrix of one mode: z' = -kappa w, w' = kappa z - g (g . w).
 Eigen::Matrix4d mode_matrix(const quarter_wave::Frame& frame, double k) {
@@ -210,8 +194,8 @@ BOOST_AUTO_TEST_CASE(the_ends_show_what_is_prescribed_and_all_is_at_rest_before_
     BOOST_TEST(std::abs(end.solid_velocity) < 1e-12 * problem.velocity_scale());
     BOOST_TEST(std::abs(end.fluid_velocity) < 1e-12 * problem.velocity_scale());
     const ModalSolution before(problem, -t);
-    BOOST_TEST(size(problem, before.at(0.5 * *problem.column.length).value) == 0.0);
-    BOOST_TEST(size(problem, before.on_grid(4).at(2).value) == 0.0);
+    BOOST_TEST(largest_share(problem, before.at(0.5 * *problem.column.length).value) == 0.0);
+    BOOST_TEST(largest_share(problem, before.on_grid(4).at(2).value) == 0.0);
   }
 }
 
@@ -223,7 +207,7 @@ BOOST_AUTO_TEST_CASE(the_loaded_end_is_accurate_when_the_load_ends) {
     const BoundedFields contour = ColumnSolution(problem).at(0.0, t);
     const BoundedFields sum = ModalSolution(problem, t).at(0.0);
     BOOST_TEST(distance(problem, sum.value, contour.value) <=
-               size(problem, sum.error) + size(problem, contour.error));
+               largest_share(problem, sum.error) + largest_share(problem, contour.error));
   }
 }
 
@@ -255,13 +239,14 @@ BOOST_AUTO_TEST_CASE(random_problems_agree_with_the_contour_to_1e_10) {
         length * (random.index(4) == 0 ? random.log_uniform(1e-6, 1.0) : random.uniform(0.0, 1.0));
     const double t = length / wave_speeds(problem.material).p1 * random.uniform(0.1, 4.0);
     const BoundedFields contour = ColumnSolution(problem).at(x, t);
-    if (!(size(problem, contour.error) < 1e-11)) continue;
+    if (!(largest_share(problem, contour.error) < 1e-11)) continue;
     ++compared;
     const BoundedFields sum = ModalSolution(problem, t, 1e-11).at(x);
     const double difference = distance(problem, sum.value, contour.value);
     BOOST_TEST_CONTEXT(name(problem.column.near) << " " << name(problem.load.shape())) {
       BOOST_TEST(difference < 1e-10);
-      BOOST_TEST(difference <= size(problem, sum.error) + size(problem, contour.error));
+      BOOST_TEST(difference <=
+                 largest_share(problem, sum.error) + largest_share(problem, contour.error));
     }
     worst = std::max(worst, difference);
   }

@@ -2,6 +2,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "reference/field_fixtures.hpp"
 #include "reference/problem/problem_fixtures.hpp"
 #include "reference/random_problems.hpp"
 
@@ -18,13 +19,7 @@ double worst_difference(const Problem& problem, double t, double end, int points
   double worst = 0.0;
   for (int i = 0; i < points; ++i) {
     const double x = random.uniform(0.0, end);
-    const Fields a = profile.at(x);
-    const Fields b = solution.at(x, t).value;
-    worst =
-        std::max({worst, std::abs(a.effective_stress - b.effective_stress) / problem.stress_scale(),
-                  std::abs(a.pore_pressure - b.pore_pressure) / problem.stress_scale(),
-                  std::abs(a.solid_velocity - b.solid_velocity) / problem.velocity_scale(),
-                  std::abs(a.fluid_velocity - b.fluid_velocity) / problem.velocity_scale()});
+    worst = std::max(worst, fixtures::distance(problem, profile.at(x), solution.at(x, t).value));
   }
   BOOST_TEST(worst <= profile.error());
   return worst;

@@ -9,6 +9,7 @@
 
 #include "reference/bromwich.hpp"
 #include "reference/column_solution.hpp"
+#include "reference/field_fixtures.hpp"
 #include "reference/modal.hpp"
 #include "reference/random_problems.hpp"
 
@@ -19,18 +20,6 @@ namespace {
 
 double cpu_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-/// Largest of the four fields, each relative to the load.
-double relative(const Problem& problem, const Fields& f) {
-  return std::max(
-      std::max(std::abs(f.effective_stress), std::abs(f.pore_pressure)) / problem.stress_scale(),
-      std::max(std::abs(f.solid_velocity), std::abs(f.fluid_velocity)) / problem.velocity_scale());
-}
-
-Fields difference(const Fields& a, const Fields& b) {
-  return {a.effective_stress - b.effective_stress, a.pore_pressure - b.pore_pressure,
-          a.solid_velocity - b.solid_velocity, a.fluid_velocity - b.fluid_velocity};
 }
 
 struct Point {
@@ -59,13 +48,13 @@ struct Tally {
   void see(const Point& point, const BoundedFields& contour, const BoundedFields& other,
            double goal) {
     ++compared;
-    const double size = relative(point.problem, difference(contour.value, other.value));
-    const double errors =
-        relative(point.problem, contour.error) + relative(point.problem, other.error);
+    const double size = fixtures::distance(point.problem, contour.value, other.value);
+    const double errors = fixtures::largest_share(point.problem, contour.error) +
+                          fixtures::largest_share(point.problem, other.error);
     if (!(size <= goal)) ++beyond;
     if (!(size <= errors + 1e-13)) ++beyond_errors;
     if (size <= worst) return;
-    worst = std::isnan(size) ? std::numeric_limits<double>::infinity() : size;
+    worst = size;
     std::ostringstream text;
     text << point;
     where = text.str();
@@ -124,10 +113,6 @@ BOOST_AUTO_TEST_CASE(a_thousand_smooth_problems_agree_between_contour_and_modes_
   for (int trial = 0; trial < 1000; ++trial) {
     const Point point = smooth_point(random);
     const BoundedFields contour = ColumnSolution(point.problem).at(point.x, point.t);
-    if (!(relative(point.problem, contour.error) <= 1e-12)) {
-      ++tally.skipped;
-      continue;
-    }
     const double start = cpu_seconds();
     const BoundedFields sum = ModalSolution(point.problem, point.t, 5e-11).at(point.x);
     tally.seconds += cpu_seconds() - start;
@@ -136,7 +121,6 @@ BOOST_AUTO_TEST_CASE(a_thousand_smooth_problems_agree_between_contour_and_modes_
   BOOST_TEST_MESSAGE("contour and modal sum: " << tally);
   BOOST_TEST(tally.beyond == 0);
   BOOST_TEST(tally.beyond_errors == 0);
-  BOOST_TEST(tally.skipped <= 20);
 }
 
 BOOST_AUTO_TEST_CASE(a_thousand_problems_agree_between_contour_and_bromwich_integral_to_1e_8) {
@@ -145,7 +129,7 @@ BOOST_AUTO_TEST_CASE(a_thousand_problems_agree_between_contour_and_bromwich_inte
   for (int trial = 0; trial < 1000; ++trial) {
     const Point point = any_point(random);
     const BoundedFields contour = ColumnSolution(point.problem).at(point.x, point.t);
-    if (!(relative(point.problem, contour.error) <= 1e-10)) {
+    if (!(fixtures::largest_share(point.problem, contour.error) <= 1e-10)) {
       ++tally.skipped;
       continue;
     }

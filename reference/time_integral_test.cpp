@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "reference/field_fixtures.hpp"
 #include "reference/problem/problem_fixtures.hpp"
 #include "reference/random_problems.hpp"
 #include "reference/smooth_pieces.hpp"
@@ -9,12 +10,10 @@
 using namespace porowave;
 using namespace porowave::reference;
 namespace tt = boost::test_tools;
+using fixtures::as_array;
+using fixtures::derivative;
 
 namespace {
-
-std::array<double, 4> as_array(const Fields& f) {
-  return {f.effective_stress, f.pore_pressure, f.solid_velocity, f.fluid_velocity};
-}
 
 /// Every shape, as long as a wave takes to cross the column.
 Load load_of(LoadShape shape, double crossing) {
@@ -40,20 +39,6 @@ std::pair<double, double> smooth_place(const ColumnSolution& solution, double t,
     if (size > best.second) best = {0.5 * (ends[i] + ends[i + 1]), size};
   }
   return best;
-}
-
-/// Difference quotient of fourth order, field by field.
-template <class Function>
-std::array<double, 4> derivative(Function&& fields_at, double step) {
-  const auto a = as_array(fields_at(-2 * step));
-  const auto b = as_array(fields_at(-step));
-  const auto c = as_array(fields_at(step));
-  const auto d = as_array(fields_at(2 * step));
-  std::array<double, 4> result;
-  for (std::size_t f = 0; f < 4; ++f) {
-    result[f] = (a[f] - 8 * b[f] + 8 * c[f] - d[f]) / (12 * step);
-  }
-  return result;
 }
 
 /// How far stress and pressure are from what the strains make of them, as a share of the load.

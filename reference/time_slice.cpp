@@ -8,6 +8,7 @@
 
 #include "reference/contour_choice.hpp"
 #include "reference/problem/errors.hpp"
+#include "reference/waves.hpp"
 
 namespace porowave::reference {
 
@@ -40,12 +41,6 @@ void require_inside(const Column& column, double x, double t) {
   throw InputError(fmt::format(
       "reference at x = {}, t = {}: expected finite numbers and x in the column, from 0{}", x, t,
       column.length ? fmt::format(" to {}", *column.length) : std::string()));
-}
-
-/// Velocity that a jump makes with the slow wave, over that with the undrained wave.
-double slow_wave_factor(const Material& m) {
-  return m.mixture_density() * m.undrained_speed() /
-         (std::min(m.solid_partial_density(), m.fluid_partial_density()) * wave_speeds(m).p2);
 }
 
 /// A bound that needs no second attempt. Those of many waves add up, however they are grouped.

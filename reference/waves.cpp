@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -24,6 +25,11 @@ WaveScales wave_scales(const Material& m) {
   scales.relaxation_rate = m.relaxation_rate();
   scales.characteristic_frequency = m.relaxation_rate() / (2.0 * std::numbers::pi);
   return scales;
+}
+
+double slow_wave_factor(const Material& m) {
+  return m.mixture_density() * m.undrained_speed() /
+         (std::min(m.solid_partial_density(), m.fluid_partial_density()) * wave_speeds(m).p2);
 }
 
 std::array<Dispersion, 2> dispersion(const WaveModes& modes, double frequency) {

@@ -29,6 +29,9 @@ struct WaveScales {
 
 /// Valid for every material that read_material accepts.
 WaveScales wave_scales(const Material& material);
+/// Velocity that a jump of stress makes at most with the slow wave, over that with the undrained
+/// one.
+double slow_wave_factor(const Material& material);
 
 /// A harmonic wave v ~ e^(i omega t - lambda x), x along its way, lambda = alpha + i
 /// omega/velocity.

@@ -37,7 +37,7 @@ std::string escaped(const std::string& text) {
 
 std::string outcome(const Verdict& verdict) {
   const std::string reason = escaped(verdict.reason);
-  const auto word = verification::verdict_names[static_cast<std::size_t>(verdict.kind)];
+  const auto word = to_string(verdict.kind);
   switch (verdict.kind) {
     case VerdictKind::pass:
       return fmt::format("<system-out>{}</system-out>", reason);

@@ -7,27 +7,16 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "verification/process/scratch_directory.hpp"
 
 namespace porowave::tests {
 
 /// A new, empty directory that is removed with all that is in it.
 class TestDirectory {
  public:
-  TestDirectory() {
-    std::string name = (std::filesystem::temp_directory_path() / "porowave.XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
-    path_ = name;
-  }
-  ~TestDirectory() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TestDirectory(const TestDirectory&) = delete;
-  TestDirectory& operator=(const TestDirectory&) = delete;
-
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path operator/(const std::filesystem::path& name) const { return path_ / name; }
 
@@ -44,7 +33,8 @@ class TestDirectory {
   }
 
  private:
-  std::filesystem::path path_;
+  verification::ScratchDirectory scratch_;
+  std::filesystem::path path_ = scratch_.path();
 };
 
 /// An environment variable that gets its value back.

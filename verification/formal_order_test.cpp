@@ -16,7 +16,7 @@
 #include <sstream>
 
 #include "verification/order/convergence_fit.hpp"
-#include "verification/transfer_cases.hpp"
+#include "verification/paper_fixtures.hpp"
 
 using namespace porowave;
 using namespace porowave::verification;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "verification/transfer_cases.hpp"
+#include "verification/paper_fixtures.hpp"
 
 using namespace porowave;
 using namespace porowave::verification;

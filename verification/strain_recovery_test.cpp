@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "verification/transfer_cases.hpp"
+#include "verification/paper_fixtures.hpp"
 
 using namespace porowave;
 using namespace porowave::verification;

@@ -10,7 +10,7 @@ foreach(room reference solver verification reports)
           FILES_MATCHING PATTERN "*.hpp" PATTERN "tables" EXCLUDE PATTERN "gallery" EXCLUDE
           PATTERN "studies" EXCLUDE PATTERN "baselines" EXCLUDE
           PATTERN "*_fixtures.hpp" EXCLUDE PATTERN "test_*.hpp" EXCLUDE
-          PATTERN "random_problems.hpp" EXCLUDE)  # these serve the tests
+          PATTERN "random_*.hpp" EXCLUDE)  # these serve the tests
 endforeach()
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/porowave)

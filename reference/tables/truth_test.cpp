@@ -1,4 +1,5 @@
 #include "reference/tables/truth.hpp"
+#include "reference/field_fixtures.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <ctime>
@@ -6,18 +7,9 @@
 #include "reference/column_solution.hpp"
 
 using namespace porowave;
+using fixtures::Worst;
 
 namespace {
-
-struct Worst {
-  double size = 0.0;
-  std::string id = "none";
-  void see(double candidate, const std::string& row) {
-    if (candidate <= size) return;
-    size = candidate;
-    id = row;
-  }
-};
 
 /// CPU milliseconds a value, by the stiffness of the drag.
 struct Cost {
@@ -78,8 +70,8 @@ BOOST_AUTO_TEST_CASE(every_row_is_within_1e_12_of_the_load_and_within_its_bound)
   }
   BOOST_TEST(rows == 100);
   BOOST_TEST_MESSAGE("truth tables: " << rows << " rows; worst error " << error.size
-                                      << " of the load (" << error.id << "); worst error/bound "
-                                      << ratio.size << " (" << ratio.id << ")");
+                                      << " of the load (" << error.where << "); worst error/bound "
+                                      << ratio.size << " (" << ratio.where << ")");
   BOOST_TEST_MESSAGE("a value with drag rate * time below 100: "
                      << cost[0] << "; below 1e4: " << cost[1] << "; above: " << cost[2]);
 }

@@ -43,8 +43,7 @@ int show(const std::vector<Verdict>& verdicts, bool all) {
   for (const Verdict& v : verdicts) {
     ++count[static_cast<std::size_t>(v.kind)];
     if (!all && (v.kind == VerdictKind::pass || v.kind == VerdictKind::xfail)) continue;
-    fmt::print("{}: {}: {}: {}\n", verification::verdict_names[static_cast<std::size_t>(v.kind)],
-               v.group, v.measure, v.reason);
+    fmt::print("{}: {}: {}: {}\n", to_string(v.kind), v.group, v.measure, v.reason);
   }
   std::string text;
   for (std::size_t k = 0; k < count.size(); ++k) {

@@ -7,7 +7,7 @@
 
 #include "reference/problem/errors.hpp"
 #include "verification/process/process.hpp"
-#include "verification/store/scratch_directory.hpp"
+#include "verification/process/scratch_directory.hpp"
 
 namespace porowave::verification {
 

@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "reference/problem/errors.hpp"
+#include "verification/process/scratch_directory.hpp"
 #include "verification/run_output.hpp"
-#include "verification/store/scratch_directory.hpp"
 
 using namespace porowave;
 using namespace porowave::verification;

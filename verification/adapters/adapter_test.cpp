@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "reference/problem/errors.hpp"
-#include "verification/store/scratch_directory.hpp"
+#include "verification/process/scratch_directory.hpp"
 
 using namespace porowave;
 using namespace porowave::verification;

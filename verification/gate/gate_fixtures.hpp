@@ -4,7 +4,7 @@
 #include <string>
 
 #include "verification/gate/gate.hpp"
-#include "verification/store/scratch_directory.hpp"
+#include "verification/process/scratch_directory.hpp"
 
 namespace porowave::verification::fixtures {
 

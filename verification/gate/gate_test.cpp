@@ -29,8 +29,7 @@ std::vector<Verdict> verdicts_of(const Trial& trial, const Trial::ErrorOf& error
 }
 
 void check(const Verdict& verdict, VerdictKind kind, const std::string& words) {
-  BOOST_TEST(verdict_names[static_cast<std::size_t>(verdict.kind)] ==
-             verdict_names[static_cast<std::size_t>(kind)]);
+  BOOST_TEST(to_string(verdict.kind) == to_string(kind));
   BOOST_TEST(verdict.reason.find(words) != std::string::npos,
              "\"" << verdict.reason << "\" lacks \"" << words << "\"");
 }

@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "verification/gate/gate.hpp"
-#include "verification/store/scratch_directory.hpp"
+#include "verification/process/scratch_directory.hpp"
 #include "verification/sweep/sweep.hpp"
 
 using namespace porowave;

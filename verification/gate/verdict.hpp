@@ -16,6 +16,9 @@ enum class VerdictKind {
 };
 inline constexpr std::array<std::string_view, 5> verdict_names = {"pass", "fail", "xfail", "xpass",
                                                                   "inconclusive"};
+constexpr std::string_view to_string(VerdictKind kind) {
+  return verdict_names[static_cast<std::size_t>(kind)];
+}
 
 /// The judgement of one measure of one group of cases, with a reason that a person can act on.
 struct Verdict {

@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "reference/problem/errors.hpp"
-#include "verification/store/scratch_directory.hpp"
+#include "verification/process/scratch_directory.hpp"
 
 using namespace porowave;
 using namespace porowave::verification;

@@ -10,7 +10,6 @@
 
 #include "reference/problem/errors.hpp"
 #include "verification/adapters/adapter_run.hpp"
-#include "verification/run.hpp"
 
 namespace porowave::verification {
 
@@ -98,7 +97,7 @@ Record CaseRunner::run(const StudyCase& one) {
     if (adapter_) {
       set_result(run_adapter(*adapter_, one.specification, one.scene, *profile), record);
     } else {
-      set_result(run_case(one.scene, *profile), record);
+      set_result(run_(one.scene, *profile), record);
     }
   } catch (const InputError& error) {
     set_failure(CaseStatus::refused, error.what(), record);

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <future>
 #include <map>
 #include <memory>
@@ -10,20 +11,26 @@
 #include <string>
 
 #include "reference/profile.hpp"
+#include "verification/run.hpp"
 #include "verification/store/record.hpp"
 #include "verification/study/study.hpp"
 
 namespace porowave::verification {
 
+/// How a case is run: run_case, or another solver in the same process.
+using RunFunction = std::function<RunResult(const solver::Case&, const reference::Profile&)>;
+
 /// Runs cases of studies. Reference profiles are shared by the cases that have the same problem,
 /// end and grid length. May be used by several threads at a time.
 class CaseRunner {
  public:
-  /// With an adapter its solver runs the cases.
-  CaseRunner(std::string study, std::string provenance, std::optional<Adapter> adapter = {})
+  /// With an adapter its solver runs the cases, else `run`.
+  CaseRunner(std::string study, std::string provenance, std::optional<Adapter> adapter = {},
+             RunFunction run = run_case)
       : study_(std::move(study)),
         provenance_(std::move(provenance)),
-        adapter_(std::move(adapter)) {}
+        adapter_(std::move(adapter)),
+        run_(std::move(run)) {}
 
   /// A case with its errors and cost. Nothing that goes wrong in it is thrown: it is the record's
   /// status and reason.
@@ -39,6 +46,7 @@ class CaseRunner {
   std::string study_;
   std::string provenance_;
   std::optional<Adapter> adapter_;
+  RunFunction run_;
   std::mutex mutex_;
   std::map<std::string, std::shared_future<ProfilePointer>> profiles_;
 };

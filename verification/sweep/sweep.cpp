@@ -10,7 +10,6 @@
 #include <thread>
 
 #include "verification/study/case_identity.hpp"
-#include "verification/sweep/case_runner.hpp"
 
 namespace porowave::verification {
 
@@ -122,7 +121,7 @@ SweepSummary sweep(const Study& study, Store& store, const SweepOptions& options
   Finished finished;
   finished.set(std::move(known));
 
-  CaseRunner runner(study.name, here.id, study.adapter);
+  CaseRunner runner(study.name, here.id, study.adapter, options.run);
   Mailbox mailbox;
   std::atomic<std::size_t> next = 0;
   std::atomic<std::size_t> skipped = 0;

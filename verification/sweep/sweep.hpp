@@ -7,6 +7,7 @@
 
 #include "verification/store/store.hpp"
 #include "verification/study/study.hpp"
+#include "verification/sweep/case_runner.hpp"
 
 namespace porowave::verification {
 
@@ -23,6 +24,9 @@ struct SweepOptions {
   std::function<void(std::size_t, std::size_t)> progress = {};
   /// When it becomes true no case is begun any more; those under way are finished and stored.
   const std::atomic<bool>* stop = nullptr;
+  /// What runs the cases of a study without [adapter]; called from several threads at a time. Rows
+  /// are keyed by the case alone: results of another solver belong in a store of their own.
+  RunFunction run = run_case;
 };
 
 struct SweepSummary {
@@ -34,9 +38,9 @@ struct SweepSummary {
   bool stopped = false;
 };
 
-/// Runs the cases of a study that the store does not have, the longest first, and stores them as
-/// they end. Killed at any moment it loses only cases under way; run again it continues. Several
-/// sweeps may fill one store at a time.
+/// Runs the cases of a study that the store does not have, the longest first, and stores every
+/// tenth of a second those that have ended. Killed at any moment it loses only them and those under
+/// way; run again it continues. Several sweeps may fill one store at a time.
 /// Throws EnvironmentError if the store cannot be written.
 SweepSummary sweep(const Study& study, Store& store, const SweepOptions& options = {});
 

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "reference/problem/errors.hpp"
-#include "verification/store/scratch_directory.hpp"
+#include "verification/process/scratch_directory.hpp"
 #include "verification/sweep/repeat.hpp"
 
 using namespace porowave;
