@@ -79,7 +79,8 @@ std::vector<Group> groups_of(const Study& study, const Store& store) {
     ++group.cases;
     const auto row = rows.find(one.id);
     if (row == rows.end() || row->second.status == CaseStatus::failed) {
-      group.missing.push_back(words(study, one.coordinates, true));
+      const std::string why = row == rows.end() ? "" : ": " + row->second.reason;
+      group.missing.push_back(words(study, one.coordinates, true) + why);
       continue;
     }
     if (row->second.status != CaseStatus::done) {

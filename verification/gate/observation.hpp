@@ -17,7 +17,7 @@ struct Group {
   std::vector<std::string> seeds;  ///< one "" if the study has no axis of seeds
   /// [level][seed]; status `failed` and an empty id where the study has no such case.
   std::vector<std::vector<Record>> records;
-  std::vector<std::string> missing;    ///< cases without a row, in words
+  std::vector<std::string> missing;    ///< cases without a row, or failed (memory, a file): why
   std::vector<std::string> broken;     ///< cases that broke down or were refused, with their reason
   std::vector<TomlValue> coordinates;  ///< of the first case, on all axes of the study
   std::size_t cases = 0;
