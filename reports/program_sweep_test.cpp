@@ -86,7 +86,9 @@ BOOST_AUTO_TEST_CASE(a_sweep_killed_ten_times_ends_with_the_rows_of_one_that_was
     killed +=
         kill_after(folder, static_cast<int>(std::uniform_real_distribution(0.0, longest)(random)));
     before = rows_in(folder / "results");
-    if (before == 0) longest *= 1.3;  // a busy machine takes its time to begin
+    // A busy machine is now slower, now faster than when the whole sweep was timed.
+    if (before == 0) longest *= 1.3;
+    if (before > 600) longest *= 0.2;
   }
   const auto last = run_porowave({"sweep", "study.toml", "--store", "results"}, folder.path());
   BOOST_TEST(last.exit_code == 0);
