@@ -9,6 +9,7 @@
 #include "reports/commands/commands.hpp"
 #include "reports/junit.hpp"
 #include "reports/output_file.hpp"
+#include "verification/gate/floor_cause.hpp"
 #include "verification/gate/gate.hpp"
 
 namespace porowave::reports {
@@ -73,7 +74,11 @@ int run_gate(const Options& options) {
   if (!options.junit.empty()) require_writable(options.junit);
   const auto groups = verification::groups_of(study, verification::Store::open(options.store));
   if (change) return rebaseline(options, groups, rules, baseline);
-  const auto verdicts = verification::judge(groups, rules, baseline);
+  verification::CaseRunner runner(study.name, "", study.adapter);
+  const auto explain = [&](const verification::Group& group, std::size_t measure) {
+    return cause_of_floor(study, group, measure, runner);
+  };
+  const auto verdicts = verification::judge(groups, rules, baseline, explain);
   if (!options.junit.empty()) write_file(options.junit, junit_of(study.name, verdicts));
   return show(verdicts, options.all);
 }

@@ -13,6 +13,8 @@ namespace {
 
 /// Errors nearer to the reference's own than this factor do not tell about the solver.
 constexpr double reference_margin = 20.0;
+/// An error of a lower order than this has all but stopped to fall.
+constexpr double still = 0.3;
 /// Orders of the same program may differ by this much and more only by chance.
 constexpr double order_resolution = 0.02;
 
@@ -47,9 +49,11 @@ Expected expectation_of(const Group& group, std::size_t measure) {
 
 class Judge {
  public:
-  Judge(const GateRules& rules, const std::optional<Baseline>& baseline, std::size_t comparisons)
+  Judge(const GateRules& rules, const std::optional<Baseline>& baseline,
+        const FloorExplanation& explain, std::size_t comparisons)
       : rules_(rules),
         baseline_(baseline),
+        explain_(explain),
         level_(rules.false_alarm / static_cast<double>(comparisons)) {}
 
   Verdict operator()(const Group& group, std::size_t measure) const {
@@ -91,7 +95,7 @@ class Judge {
       return set(verdict, VerdictKind::inconclusive,
                  "nothing to compare with: the study names no order, the baseline not this group");
     }
-    if (rules_.order && !order_is_right(order, verdict)) return;
+    if (rules_.order && !order_is_right(order, group, measure, verdict)) return;
     if (expected != nullptr && !as_before(group, measure, *expected, order, verdict)) return;
     set(verdict, VerdictKind::pass, described(order));
   }
@@ -127,10 +131,12 @@ class Judge {
   }
 
   /// The loose bound, against theory.
-  bool order_is_right(const OrderEstimate& order, Verdict& verdict) const {
+  bool order_is_right(const OrderEstimate& order, const Group& group, std::size_t measure,
+                      Verdict& verdict) const {
     if (order.status != OrderStatus::observed) {
       const bool wrong = order.status == OrderStatus::not_finite;
-      set(verdict, wrong ? VerdictKind::fail : VerdictKind::inconclusive, reason_of(order));
+      set(verdict, wrong ? VerdictKind::fail : VerdictKind::inconclusive,
+          reason_of(order, group, measure));
       return false;
     }
     const double low = *rules_.order - rules_.order_tolerance;
@@ -140,7 +146,10 @@ class Judge {
                          rules_.order_tolerance, what);
     };
     if (order.high < low || order.low > high) {
-      set(verdict, VerdictKind::fail, text(order.high < low ? ": too low" : ": too high"));
+      std::string reason = text(order.high < low ? ": too low" : ": too high");
+      const bool stands_still = std::abs(order.order) < still && order.high < low;
+      if (stands_still && explain_) reason += "; the error is " + explain_(group, measure);
+      set(verdict, VerdictKind::fail, std::move(reason));
       return false;
     }
     if (order.low < low || order.high > high) {
@@ -151,17 +160,15 @@ class Judge {
     return true;
   }
 
-  static std::string reason_of(const OrderEstimate& order) {
+  std::string reason_of(const OrderEstimate& order, const Group& group, std::size_t measure) const {
     switch (order.status) {
       case OrderStatus::not_finite:
         return "an error is not a positive, finite number";
       case OrderStatus::too_few_levels:
         return "too few levels: expected at least three";
       case OrderStatus::at_floor:
-        return fmt::format(
-            "refinement no longer lowers the error: it has a floor of {:.2g}; "
-            "the time step, the points in a cell or the reference make one",
-            order.floor);
+        return fmt::format("refinement no longer lowers the error: it has a floor of {:.2g}{}",
+                           order.floor, explain_ ? ", " + explain_(group, measure) : std::string());
       default:
         return fmt::format("not yet asymptotic: orders from level to level are {:.2f}",
                            fmt::join(order.pairwise, ", "));
@@ -197,7 +204,7 @@ class Judge {
       return false;
     }
     if (!both && std::isfinite(expected.order)) {
-      set(verdict, VerdictKind::inconclusive, reason_of(order));
+      set(verdict, VerdictKind::inconclusive, reason_of(order, group, measure));
       return false;
     }
     return true;
@@ -216,16 +223,18 @@ class Judge {
 
   const GateRules& rules_;
   const std::optional<Baseline>& baseline_;
+  const FloorExplanation& explain_;
   double level_;  ///< of one comparison
 };
 
 }  // namespace
 
 std::vector<Verdict> judge(const std::vector<Group>& groups, const GateRules& rules,
-                           const std::optional<Baseline>& baseline) {
+                           const std::optional<Baseline>& baseline,
+                           const FloorExplanation& explain) {
   std::size_t comparisons = 0;
   for (const Group& group : groups) comparisons += rules.measures.size() * group.levels.size();
-  const Judge judge(rules, baseline, std::max<std::size_t>(1, comparisons));
+  const Judge judge(rules, baseline, explain, std::max<std::size_t>(1, comparisons));
   std::vector<Verdict> verdicts;
   for (const Group& group : groups) {
     for (const std::size_t measure : rules.measures) verdicts.push_back(judge(group, measure));

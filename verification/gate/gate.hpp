@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,13 +37,17 @@ struct GateRules {
 };
 GateRules read_gate_rules(const TomlDocument& document, const Study& study);
 
+/// What makes a floor in the errors of a group and measure, in words (floor_cause.hpp).
+using FloorExplanation = std::function<std::string(const Group&, std::size_t measure)>;
+
 /// A verdict for every group and measure. In this order: cases missing (inconclusive) or broken
 /// (fail); errors near the reference's own (inconclusive); no order to be told (inconclusive);
 /// the order against theory; order and errors against the baseline, both to both sides: exactly
 /// where the seeds are the same; where they are others, by Student's test, corrected for the number
-/// of comparisons (Bonferroni).
+/// of comparisons (Bonferroni). `explain` is asked only where refinement no longer lowers an error.
 std::vector<Verdict> judge(const std::vector<Group>& groups, const GateRules& rules,
-                           const std::optional<Baseline>& baseline);
+                           const std::optional<Baseline>& baseline,
+                           const FloorExplanation& explain = {});
 
 /// What the groups are now, to be expected from now on. Groups with missing or broken cases keep
 /// what the old baseline says of them. `date` and `reason` join the history.
