@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs a study of verification/studies and judges it by its baseline; verdicts also go to
 # build/release/STUDY.junit.xml, rows to build/release/STUDY.store (kept: the next call continues).
-# Usage: gate.sh [STUDY]      smoke if not given; also pull_request
+# Usage: gate.sh [STUDY]      smoke if not given; also pull_request, nightly
 # Exit codes: 0 pass; 1 fail; 2 wrong usage; 3 inconclusive; 5 packages cannot be installed.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR

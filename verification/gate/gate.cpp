@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace porowave::verification {
 
@@ -42,7 +43,8 @@ Expected expectation_of(const Group& group, std::size_t measure) {
   for (const double v : levels.variance) {
     expected.sd_log.push_back(std::sqrt(v * expected.replicates));
   }
-  expected.order = order.order;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  expected.order = order.status == OrderStatus::observed ? order.order : none;
   expected.order_half = 0.5 * (order.high - order.low);
   return expected;
 }

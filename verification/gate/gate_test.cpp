@@ -96,6 +96,20 @@ BOOST_AUTO_TEST_CASE(the_same_errors_pass_the_baseline_and_small_changes_do_not)
   check(verdicts_of(trial, times(0.97), baseline)[0], VerdictKind::fail, "rebaseline");
 }
 
+BOOST_AUTO_TEST_CASE(errors_with_a_floor_pass_if_they_had_it_before) {
+  const Trial trial("[gate]\nmeasures = [\"pore_pressure_field_l2\"]\n");
+  const auto floor = [](const auto& d) { return 1e-3 * second_order(d) + 0.1; };
+  const Baseline baseline = baseline_of(trial, floor);
+  check(verdicts_of(trial, floor, baseline)[0], VerdictKind::pass, "");
+  const auto other = [&](const auto& d) { return 1.02 * floor(d); };
+  check(verdicts_of(trial, other, baseline)[0], VerdictKind::fail, "against the baseline");
+  // An order that could be told before and no more is not passed over.
+  Baseline with_order = baseline;
+  for (auto& [key, expected] : with_order.expected) expected.order = 2.0;
+  const VerdictKind kind = verdicts_of(trial, floor, with_order)[0].kind;
+  BOOST_TEST((kind != VerdictKind::pass));
+}
+
 BOOST_AUTO_TEST_CASE(other_seeds_are_compared_by_their_scatter) {
   const Trial then("[gate]\nmeasures = [\"pore_pressure_field_l2\"]\n");
   const Trial now("[gate]\nmeasures = [\"pore_pressure_field_l2\"]\n", 101);

@@ -22,19 +22,61 @@ std::optional<std::pair<std::string, std::string>> split(const std::string& name
   return std::pair(name.substr(0, dot), name.substr(dot + 1));
 }
 
-std::vector<Axis> read_axes(const TomlDocument& document) {
-  TomlSection section = document.section("axes");
-  std::vector<Axis> axes;
-  for (const std::string& name : section.keys()) {
-    static const std::vector<std::string> tables = {"material", "column", "load", "discretization",
-                                                    "time"};
-    const auto place = split(name);
-    if (!place || std::find(tables.begin(), tables.end(), place->first) == tables.end()) {
-      section.refuse(name, "a key of a case, such as \"discretization.kernel\"");
+/// The place of a key of a case, given by its name in a table of the study.
+std::pair<std::string, std::string> place_in_case(const TomlSection& section,
+                                                  const std::string& name) {
+  static const std::vector<std::string> tables = {"material", "column", "load", "discretization",
+                                                  "time"};
+  const auto place = split(name);
+  if (!place || std::find(tables.begin(), tables.end(), place->first) == tables.end()) {
+    section.refuse(name, "a key of a case, such as \"discretization.kernel\"");
+  }
+  return *place;
+}
+
+Axis read_methods(const TomlDocument& document) {
+  const auto of_axes = document.section("axes").keys();
+  Axis axis{"", "method", {}, {}};
+  for (TomlSection& section : document.sections("method")) {
+    const std::string name = section.text("name");
+    const auto same = [&](const TomlValue& v) { return std::get<std::string>(v.value) == name; };
+    if (name.empty() || std::any_of(axis.values.begin(), axis.values.end(), same)) {
+      section.refuse("name", "a name that no other [[method]] has");
     }
-    axes.push_back({place->first, place->second, section.values(name)});
+    std::vector<Setting> settings;
+    for (const std::string& key : section.keys()) {
+      if (key == "name") continue;
+      const auto [table, of_case] = place_in_case(section, key);
+      if (std::find(of_axes.begin(), of_axes.end(), key) != of_axes.end()) {
+        section.refuse(key, "a key that is no axis of [axes]");
+      }
+      const auto value = section.value_if(key);
+      if (!value) section.refuse(key, "a value that this key of a case may have");
+      settings.push_back({table, of_case, *value});
+    }
+    axis.values.push_back({name});
+    axis.methods.push_back(std::move(settings));
+  }
+  return axis;
+}
+
+std::vector<Axis> read_axes(const TomlDocument& document) {
+  std::vector<Axis> axes;
+  Axis methods = read_methods(document);
+  if (!methods.values.empty()) axes.push_back(std::move(methods));
+  TomlSection section = document.section("axes");
+  for (const std::string& name : section.keys()) {
+    const auto [table, key] = place_in_case(section, name);
+    axes.push_back({table, key, section.values(name)});
   }
   return axes;
+}
+
+TomlDocument with_value(const TomlDocument& document, const Axis& axis, std::size_t value) {
+  if (axis.methods.empty()) return document.with(axis.section, axis.key, axis.values[value]);
+  TomlDocument result = document;
+  for (const Setting& s : axis.methods[value]) result = result.with(s.section, s.key, s.value);
+  return result;
 }
 
 std::optional<std::size_t> axis_named(const std::vector<Axis>& axes, const std::string& name) {
@@ -129,9 +171,9 @@ void expand(const TomlDocument& document, const std::vector<Exclusion>& exclusio
     return;
   }
   const Axis axis = study.axes[at.size()];
-  for (const TomlValue& value : axis.values) {
-    at.push_back(value);
-    expand(document.with(axis.section, axis.key, value), exclusions, at, study);
+  for (std::size_t v = 0; v < axis.values.size(); ++v) {
+    at.push_back(axis.values[v]);
+    expand(with_value(document, axis, v), exclusions, at, study);
     at.pop_back();
   }
 }
@@ -149,8 +191,8 @@ void require_distinct(const Study& study) {
 }  // namespace
 
 Study read_study(const TomlDocument& document) {
-  document.only({"material", "column", "load", "discretization", "time", "study", "axes", "refine",
-                 "exclude", "gate", "known_failure", "adapter"});
+  document.only({"material", "column", "load", "discretization", "time", "study", "axes", "method",
+                 "refine", "exclude", "gate", "known_failure", "adapter"});
   Study study;
   study.path = document.path();
   TomlSection section = document.section("study");
@@ -168,8 +210,8 @@ Study read_study(const TomlDocument& document) {
         fmt::format("{}: [axes]: {} cases: expected at most {}", study.path, count, most_cases));
   }
   std::vector<TomlValue> at;
-  const TomlDocument alone =
-      document.without({"study", "axes", "refine", "exclude", "gate", "known_failure", "adapter"});
+  const TomlDocument alone = document.without(
+      {"study", "axes", "method", "refine", "exclude", "gate", "known_failure", "adapter"});
   expand(alone, read_exclusions(document, study.axes), at, study);
   require_distinct(study);
   if (study.cases.empty()) {

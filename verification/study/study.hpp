@@ -11,13 +11,21 @@
 
 namespace porowave::verification {
 
-/// One key of a case and the values that it takes.
-struct Axis {
+/// A value for a key of a case.
+struct Setting {
   std::string section;  ///< "discretization"
   std::string key;      ///< "kernel"
-  std::vector<TomlValue> values;
+  TomlValue value;
+};
 
-  std::string name() const { return section + "." + key; }
+/// One key of a case and the values that it takes; or the methods, by name.
+struct Axis {
+  std::string section;                             ///< "discretization"; empty for methods
+  std::string key;                                 ///< "kernel"; "method"
+  std::vector<TomlValue> values;                   ///< of a method its name
+  std::vector<std::vector<Setting>> methods = {};  ///< what each name stands for
+
+  std::string name() const { return section.empty() ? key : section + "." + key; }
 };
 
 /// One case of a study.
@@ -28,12 +36,15 @@ struct StudyCase {
   solver::Case scene;
 };
 
-/// A grid of cases: a case file with [study], [axes], [refine] and [[exclude]], and with [adapter]
-/// if another solver runs them (verification/adapters/adapter.hpp).
+/// A grid of cases: a case file with [study], [axes], [[method]], [refine] and [[exclude]], and
+/// with [adapter] if another solver runs them (verification/adapters/adapter.hpp).
 ///
 ///   [study] name = "paper"
 ///   [axes]  "discretization.kernel" = ["bspline1", "bspline2"]        any key of a case
 ///           "discretization.seed" = { first = 1, count = 16 }
+///   [[method]] name = "uGIMP"            keys that change together: the axis "method", which is
+///           "discretization.transfer" = "shape"                       the first one
+///           "discretization.kernel" = "gimp"
 ///   [refine] by = "discretization.elements"                           an axis of numbers
 ///   [[exclude]]                          leaves out cases that have all of these values;
 ///           "discretization.kernel" = "bspline1"       a list stands for any of its entries

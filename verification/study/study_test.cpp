@@ -69,6 +69,39 @@ BOOST_AUTO_TEST_CASE(a_specification_is_a_case_file_with_the_same_identity) {
   BOOST_TEST(alone.cases[0].id == study.cases[1].id);
 }
 
+BOOST_AUTO_TEST_CASE(methods_are_keys_that_change_together_under_a_name) {
+  const std::string methods =
+      "[[method]]\nname = \"mls\"\n\"discretization.basis_order\" = 2\n"
+      "[[method]]\nname = \"uGIMP\"\n\"discretization.transfer\" = \"shape\"\n"
+      "\"discretization.kernel\" = \"gimp\"\n";
+  const Study study = study_of(methods +
+                               "[axes]\n\"discretization.elements\" = [10, 20, 40]\n"
+                               "[[exclude]]\n\"method\" = \"uGIMP\"\n"
+                               "\"discretization.elements\" = 10\n");
+  BOOST_REQUIRE(study.cases.size() == 5U);
+  BOOST_TEST(study.axes[0].name() == "method");
+  BOOST_TEST(study.cases[2].scene.discretization.basis_order == 2);
+  BOOST_CHECK(study.cases[2].scene.discretization.transfer == solver::TransferName::mls);
+  BOOST_CHECK(study.cases[3].scene.discretization.transfer == solver::TransferName::shape);
+  BOOST_TEST(study.cases[3].scene.discretization.elements == 20);
+  // The name is not part of what a case is.
+  const Study plain = study_of("[axes]\n\"discretization.basis_order\" = [2]\n");
+  BOOST_TEST(study.cases[0].id == plain.cases[0].id);
+  const auto refused = [&](const std::string& rest, const std::string& words) {
+    const std::string message = message_of(methods + rest);
+    BOOST_TEST(message.find(words) != std::string::npos, message);
+  };
+  refused("[[method]]\nname = \"mls\"\n\"discretization.basis_order\" = 1\n",
+          "no other [[method]]");
+  refused("[[method]]\n\"discretization.basis_order\" = 1\n", "name");
+  refused("[axes]\n\"discretization.kernel\" = [\"bspline1\"]\n", "no axis of [axes]");
+  refused("[[method]]\nname = \"a\"\nbasis_order = 1\n", "a key of a case");
+  refused("[[method]]\nname = \"mls again\"\n\"discretization.basis_order\" = 2\n",
+          "appears twice");
+  refused("[[method]]\nname = \"none\"\n\"discretization.kernel\" = \"gimp\"\n",
+          "in the case method = \"none\"");
+}
+
 BOOST_AUTO_TEST_CASE(exclusions_need_all_their_values_and_lists_stand_for_any) {
   const std::string axes =
       "[axes]\n\"discretization.kernel\" = [\"bspline1\", \"bspline2\", \"bspline3\"]\n"
