@@ -23,7 +23,7 @@ struct Options {
   std::string study;
   std::string store;
   std::string baseline;
-  std::string reason;
+  std::optional<std::string> reason;
   std::string junit;
   bool all = false;
 };
@@ -32,7 +32,7 @@ int rebaseline(const Options& options, const std::vector<verification::Group>& g
                const verification::GateRules& rules,
                const std::optional<verification::Baseline>& old) {
   const std::string today = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)));
-  const auto fresh = verification::rebaselined(groups, rules, old, today, options.reason);
+  const auto fresh = verification::rebaselined(groups, rules, old, today, *options.reason);
   write_file(options.baseline, verification::baseline_text(fresh));
   fmt::print("{} expectations\nwrote {}\n", fresh.expected.size(), options.baseline);
   return 0;
@@ -57,13 +57,14 @@ int show(const std::vector<Verdict>& verdicts, bool all) {
 }
 
 int run_gate(const Options& options) {
-  if (options.reason.find_first_of("\r\n") != std::string::npos) {
+  const bool change = options.reason.has_value();
+  if (change &&
+      (options.reason->empty() || options.reason->find_first_of("\r\n") != std::string::npos)) {
     throw InputError("--rebaseline: expected a reason of one line");
   }
   const TomlDocument document = TomlDocument::load(options.study);
   const verification::Study study = verification::read_study(document);
   const auto rules = verification::read_gate_rules(document, study);
-  const bool change = !options.reason.empty();
   std::optional<verification::Baseline> baseline;
   if (!options.baseline.empty() && !(change && !std::filesystem::exists(options.baseline))) {
     baseline = verification::read_baseline(options.baseline);
