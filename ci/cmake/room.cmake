@@ -11,6 +11,9 @@ function(porowave_compile_options target)
                                              -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${target} PRIVATE -fsanitize=address,undefined)
   endif()
+  if(POROWAVE_FUZZ)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
 endfunction()
 
 # porowave_library(name SOURCES ... PUBLIC ... PRIVATE ...): the library porowave::name, its sources

@@ -79,7 +79,9 @@ int run_gate(const Options& options) {
   const auto explain = [&](const verification::Group& group, std::size_t measure) {
     return cause_of_floor(study, group, measure, runner);
   };
-  const auto verdicts = verification::judge(groups, rules, baseline, explain);
+  auto verdicts = verification::judge(groups, rules, baseline, explain);
+  const auto costs = judge_costs(groups, rules, baseline);
+  verdicts.insert(verdicts.end(), costs.begin(), costs.end());
   if (!options.junit.empty()) write_file(options.junit, junit_of(study.name, verdicts));
   return show(verdicts, options.all);
 }

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 
 #include "reference/problem/errors.hpp"
 
@@ -69,13 +71,12 @@ void read_row(const std::string& line, const std::string& where, Baseline& basel
 
 }  // namespace
 
-Baseline read_baseline(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw InputError(path + ": cannot be read: expected a baseline");
+Baseline baseline_of_text(const std::string& text, const std::string& path) {
+  std::istringstream lines(text);
   Baseline baseline;
   bool in_table = false;
   int line_number = 0;
-  for (std::string line; std::getline(file, line);) {
+  for (std::string line; std::getline(lines, line);) {
     const std::string where = fmt::format("{}:{}", path, ++line_number);
     if (line.empty()) continue;
     if (line.starts_with("# ") && !in_table) {
@@ -89,6 +90,13 @@ Baseline read_baseline(const std::string& path) {
   }
   if (!in_table) throw InputError(fmt::format("{}: expected \"{}\"", path, header));
   return baseline;
+}
+
+Baseline read_baseline(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(path + ": cannot be read: expected a baseline");
+  return baseline_of_text({std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()},
+                          path);
 }
 
 std::string baseline_text(const Baseline& baseline) {

@@ -30,6 +30,8 @@ struct Baseline {
 
 /// Throws InputError (file, line, what was expected).
 Baseline read_baseline(const std::string& path);
+/// The same of text; `path` is only the name used in messages.
+Baseline baseline_of_text(const std::string& text, const std::string& path);
 std::string baseline_text(const Baseline& baseline);
 
 }  // namespace porowave::verification

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "verification/gate/cost.hpp"
+
 namespace porowave::verification {
 
 namespace {
@@ -258,6 +260,13 @@ Baseline rebaselined(const std::vector<Group>& groups, const GateRules& rules,
       } else if (old && old->expected.contains(key)) {
         baseline.expected[key] = old->expected.at(key);
       }
+    }
+    const std::pair cost_key(group.name, std::string(cost_name));
+    const auto cost = rules.cost_tolerance ? expected_cost(group) : std::nullopt;
+    if (cost) {
+      baseline.expected[cost_key] = *cost;
+    } else if (old && old->expected.contains(cost_key)) {
+      baseline.expected[cost_key] = old->expected.at(cost_key);
     }
   }
   return baseline;

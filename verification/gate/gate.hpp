@@ -19,6 +19,10 @@ namespace porowave::verification {
 ///           order = 2.0             of theory; absent: judged by the baseline alone
 ///           order_tolerance = 0.25  the loose bound, to both sides
 ///           error_tolerance = 0.01  the tight bound on errors for the seeds of the baseline
+///           cost_tolerance = 1.0    costs are judged as well: by how much (1.0: to twice) a step
+///           may
+///                                   cost more or less than in the baseline, as a multiple of the
+///                                   calibration loop, beyond what its scatter explains
 ///   [[known_failure]]               groups that are known to fail: xfail, or xpass if they do not
 ///           "discretization.kernel" = "bspline1"
 ///           reason = "..."
@@ -27,6 +31,7 @@ struct GateRules {
   std::optional<double> order;
   double order_tolerance = 0.25;
   double error_tolerance = 0.01;
+  std::optional<double> cost_tolerance;
   struct KnownFailure {
     std::vector<std::pair<std::size_t, TomlValue>> where;  ///< axis and value
     std::string reason;
@@ -48,6 +53,11 @@ using FloorExplanation = std::function<std::string(const Group&, std::size_t mea
 std::vector<Verdict> judge(const std::vector<Group>& groups, const GateRules& rules,
                            const std::optional<Baseline>& baseline,
                            const FloorExplanation& explain = {});
+
+/// A verdict for the cost of every group, by cost_tolerance; none without it. The cost of a group
+/// is that of its finest level, where little but steps is paid for.
+std::vector<Verdict> judge_costs(const std::vector<Group>& groups, const GateRules& rules,
+                                 const std::optional<Baseline>& baseline);
 
 /// What the groups are now, to be expected from now on. Groups with missing or broken cases keep
 /// what the old baseline says of them. `date` and `reason` join the history.

@@ -54,6 +54,7 @@ GateRules read_gate_rules(const TomlDocument& document, const Study& study) {
   rules.order = section.number_if("order", {});
   rules.order_tolerance = section.number_or("order_tolerance", 0.25, Range::positive());
   rules.error_tolerance = section.number_or("error_tolerance", 0.01, Range::positive());
+  rules.cost_tolerance = section.number_if("cost_tolerance", Range::positive());
   section.done();
   for (TomlSection& known : document.sections("known_failure")) {
     rules.known_failures.push_back(read_known_failure(known, study));

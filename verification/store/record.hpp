@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -38,12 +39,16 @@ struct Record {
   double cpu_seconds = 0.0;
   double wall_seconds = 0.0;
   std::int64_t peak_rss_bytes = 0;
+  /// Speed of the machine when the case was run (cost/calibration.hpp), ns; NaN if not measured.
+  double calibration_ns = std::numeric_limits<double>::quiet_NaN();
   std::string finished;    ///< UTC, "2026-11-22T08:00:00Z"
   std::string provenance;  ///< id of a row of the table provenance
 
   double ns_per_point_step() const {
     return 1e9 * cpu_seconds / static_cast<double>(points) / static_cast<double>(steps);
   }
+  /// CPU time of a point and step in that of a point of the calibration's stencil.
+  double relative_cost() const { return ns_per_point_step() / calibration_ns; }
 };
 
 /// Where results come from: program, compiler, machine.

@@ -21,8 +21,8 @@ const std::vector<std::string>& columns() {
     std::vector<std::string> list = {"id",     "study", "specification", "status",
                                      "reason", "steps", "time_step",     "points"};
     list.insert(list.end(), measure_names().begin(), measure_names().end());
-    list.insert(list.end(),
-                {"cpu_seconds", "wall_seconds", "peak_rss_bytes", "finished", "provenance"});
+    list.insert(list.end(), {"cpu_seconds", "wall_seconds", "peak_rss_bytes", "calibration_ns",
+                             "finished", "provenance"});
     return list;
   }();
   return names;
@@ -35,7 +35,7 @@ std::string table_sql() {
       "CREATE TABLE IF NOT EXISTS cases (id TEXT PRIMARY KEY, study TEXT NOT NULL, "
       "specification TEXT NOT NULL, status TEXT NOT NULL, reason TEXT NOT NULL, "
       "steps INTEGER NOT NULL, time_step REAL, points INTEGER NOT NULL, {}, cpu_seconds REAL, "
-      "wall_seconds REAL, peak_rss_bytes INTEGER, finished TEXT NOT NULL, "
+      "wall_seconds REAL, peak_rss_bytes INTEGER, calibration_ns REAL, finished TEXT NOT NULL, "
       "provenance TEXT NOT NULL) WITHOUT ROWID;"
       "CREATE TABLE IF NOT EXISTS provenance (id TEXT PRIMARY KEY, version TEXT, git TEXT, "
       "numerics TEXT, compiler TEXT, flags TEXT, cpu TEXT, host TEXT) WITHOUT ROWID;",
@@ -80,6 +80,7 @@ void bind(Statement& statement, const Record& record) {
   statement.bind(i++, record.cpu_seconds);
   statement.bind(i++, record.wall_seconds);
   statement.bind(i++, record.peak_rss_bytes);
+  statement.bind(i++, record.calibration_ns);
   statement.bind(i++, record.finished);
   statement.bind(i++, record.provenance);
 }
@@ -107,6 +108,7 @@ Record record_of(const Statement& row) {
   record.cpu_seconds = row.number(i++).value_or(nan);
   record.wall_seconds = row.number(i++).value_or(nan);
   record.peak_rss_bytes = row.integer(i++);
+  record.calibration_ns = row.number(i++).value_or(nan);
   record.finished = row.text(i++);
   record.provenance = row.text(i++);
   return record;

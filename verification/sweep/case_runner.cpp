@@ -10,6 +10,7 @@
 
 #include "reference/problem/errors.hpp"
 #include "verification/adapters/adapter_run.hpp"
+#include "verification/cost/calibration.hpp"
 
 namespace porowave::verification {
 
@@ -97,6 +98,7 @@ Record CaseRunner::run(const StudyCase& one) {
     if (adapter_) {
       set_result(run_adapter(*adapter_, one.specification, one.scene, *profile), record);
     } else {
+      record.calibration_ns = recent_calibration_nanoseconds();
       set_result(run_(one.scene, *profile), record);
     }
   } catch (const InputError& error) {
