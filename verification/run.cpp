@@ -93,7 +93,9 @@ RunResult run_case(const solver::Case& scene, const reference::Profile& profile)
                                   static_cast<double>(result.points) /
                                   static_cast<double>(result.steps);
   result.cost.peak_rss_bytes = peak_rss_bytes();
-  if (!result.breakdown) result.errors = field_errors(result.snapshot, profile);
+  if (!result.breakdown) {
+    result.errors = field_errors(result.snapshot, reference_values(result.snapshot, profile));
+  }
   return result;
 }
 
