@@ -142,6 +142,25 @@ BOOST_AUTO_TEST_CASE(cases_that_cannot_be_run_are_rows_with_their_reason) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(rows_have_the_measures_of_waves) {
+  const ScratchDirectory directory;
+  const Study study = small_study("\"discretization.elements\" = [40, 60]\n");
+  Store store = Store::create_or_open(directory.file("results"));
+  porowave::verification::sweep(study, store, {.jobs = 2});
+  for (const Record& row : store.all()) {
+    BOOST_REQUIRE(row.measures.size() == measure_names().size());
+    for (std::size_t m = 0; m < row.measures.size(); ++m) {
+      const std::string& name = measure_names()[m];
+      BOOST_TEST(std::isfinite(row.measures[m]) != name.starts_with("gap_"), name);
+    }
+    // The same number twice, once as a share of the error and once of the reference.
+    const double l2 = row.measures[*measure_index("pore_pressure_field_l2")];
+    const double share = row.measures[*measure_index("pore_pressure_ringing_share")];
+    BOOST_TEST(row.measures[*measure_index("pore_pressure_ringing")] == l2 * std::sqrt(share),
+               boost::test_tools::tolerance(1e-9));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(another_solver_runs_the_cases) {
   const ScratchDirectory directory;
   // Good for seed 1, broken for seed 2; the case is $0, the output $1.
