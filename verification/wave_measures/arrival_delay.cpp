@@ -101,6 +101,9 @@ std::optional<double> advance(const Front& front, const std::vector<double>& x,
   const auto begin = std::lower_bound(x.begin(), x.end(), from) - x.begin();
   auto c = std::upper_bound(x.begin(), x.end(), to) - x.begin() - 1;
   const auto value = [&](std::ptrdiff_t i) { return amplitude[static_cast<std::size_t>(i)]; };
+  for (auto i = begin; i <= c; ++i) {
+    if (!std::isfinite(value(i))) return std::nullopt;
+  }
   if (c < begin || front.reached(value(c))) return std::nullopt;
   while (--c >= begin && !front.reached(value(c))) {
   }

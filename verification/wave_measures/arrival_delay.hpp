@@ -36,7 +36,7 @@ double rise_time(const Load& load);
 ///   - drag has left less than 5 % of the largest amplitude at the front (slow wave);
 ///   - the solution does not pass the level within 4 (x h^2)^(1/3) of the reference's rise (eight
 ///     cells at least), several times what dispersion does to a step that has run for x: it was
-///     reflected at an empty element, say.
+///     reflected at an empty element, say; or a value there is not finite.
 std::array<double, 2> arrival_delays(const Problem& problem, const reference::Profile& profile,
                                      const solver::Snapshot& snapshot,
                                      const ReferenceValues& reference);

@@ -165,6 +165,10 @@ BOOST_AUTO_TEST_CASE(a_solution_that_stays_behind_or_small_does_not_arrive) {
     const auto k = static_cast<std::size_t>(mode);
     BOOST_TEST(std::isnan(delays(problem, profile, weak, 200)[k]));
     BOOST_TEST(std::isnan(delays(problem, profile, nowhere, 200)[k]));
+    const double front =
+        (mode == 0 ? wave_speeds(problem.material).p1 : wave_speeds(problem.material).p2) * 3.5e-5;
+    const auto spoiled_ahead = [&](double x) { return x > front ? nowhere(x) : profile.at(x); };
+    BOOST_TEST(std::isnan(delays(problem, profile, spoiled_ahead, 200)[k]));
   }
 }
 
