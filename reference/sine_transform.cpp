@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <memory>
-#include <mutex>
 #include <new>
+
+#include "reference/fftw_planning.hpp"
 
 namespace porowave::reference {
 
@@ -15,12 +16,9 @@ struct Free {
   void operator()(double* values) const { fftw_free(values); }
 };
 
-/// Making and destroying plans is all of FFTW that must not happen in two threads at once.
-std::mutex planning;
-
 struct Destroy {
   void operator()(fftw_plan plan) const {
-    const std::scoped_lock lock(planning);
+    const std::scoped_lock lock(fftw_planning());
     fftw_destroy_plan(plan);
   }
 };
@@ -34,7 +32,7 @@ std::vector<double> transform(std::span<const double> amplitudes, std::size_t in
   double* const v = values.get();
   std::unique_ptr<fftw_plan_s, Destroy> plan;
   {
-    const std::scoped_lock lock(planning);
+    const std::scoped_lock lock(fftw_planning());
     plan.reset(fftw_plan_r2r_1d(static_cast<int>(intervals), v, v, kind, FFTW_ESTIMATE));
   }
   if (!plan) throw std::bad_alloc();
@@ -52,6 +50,11 @@ std::vector<double> transform(std::span<const double> amplitudes, std::size_t in
 }
 
 }  // namespace
+
+std::mutex& fftw_planning() {
+  static std::mutex planning;
+  return planning;
+}
 
 std::vector<double> quarter_wave_sines(std::span<const double> amplitudes, std::size_t intervals) {
   auto sums = transform(amplitudes, intervals, FFTW_RODFT10, -1.0);

@@ -93,7 +93,11 @@ RunResult run_case(const solver::Case& scene, const reference::Profile& profile)
                                   static_cast<double>(result.points) /
                                   static_cast<double>(result.steps);
   result.cost.peak_rss_bytes = peak_rss_bytes();
-  if (!result.breakdown) result.errors = field_errors(result.snapshot, profile);
+  if (!result.breakdown) {
+    const ReferenceValues reference = reference_values(result.snapshot, profile);
+    result.errors = field_errors(result.snapshot, reference);
+    result.measures = wave_measures(scene, profile, result.snapshot, reference);
+  }
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include "solver/column_solver.hpp"
 #include "verification/field_errors.hpp"
+#include "verification/wave_measures/wave_measures.hpp"
 
 namespace porowave::verification {
 
@@ -22,6 +23,7 @@ struct Cost {
 struct RunResult {
   solver::Snapshot snapshot;
   FieldErrors errors;
+  WaveMeasures measures;                       ///< of a run that has not broken down
   std::optional<solver::Breakdown> breakdown;  ///< then the snapshot is that of the broken run
   long steps = 0;
   solver::StepPath path = solver::StepPath::points;  ///< frozen if all steps were

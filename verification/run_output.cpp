@@ -21,6 +21,23 @@ Json errors_json(const FieldErrors& errors) {
   return json;
 }
 
+Json measures_json(const WaveMeasures& m) {
+  Json json;
+  json["arrival_delay"] = {{"fast", number(m.arrival_delay[0])},
+                           {"slow", number(m.arrival_delay[1])}};
+  for (std::size_t f = 0; f < field_names.size(); ++f) {
+    json[std::string(field_names[f])] = {
+        {"overshoot", number(m.overshoot[f].excess)},
+        {"total_variation", number(m.overshoot[f].total_variation)},
+        {"ringing", number(m.ringing[f].amplitude)},
+        {"ringing_share", number(m.ringing[f].share)}};
+  }
+  json["gap"] = {{"reflected", number(m.gap.reflected)},
+                 {"transmitted", number(m.gap.transmitted)}};
+  json["energy_drift"] = {{"points", number(m.energy.points)}, {"field", number(m.energy.field)}};
+  return json;
+}
+
 }  // namespace
 
 void write_points_csv(const solver::Snapshot& snapshot, std::ostream& out) {
@@ -38,6 +55,7 @@ void write_points_csv(const solver::Snapshot& snapshot, std::ostream& out) {
 std::string run_json(const RunResult& result) {
   Json json;
   json["errors"] = result.breakdown ? Json(nullptr) : errors_json(result.errors);
+  json["measures"] = result.breakdown ? Json(nullptr) : measures_json(result.measures);
   json["path"] = solver::name(result.path);
   json["frozen_steps"] = result.frozen_steps;
   json["time"] = number(result.snapshot.time);

@@ -75,6 +75,36 @@ BOOST_AUTO_TEST_CASE(json_holds_every_norm_of_every_field) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(json_holds_what_a_run_does_to_waves) {
+  Case scene = small_case();
+  const auto profile = reference_profile(scene);
+  const auto measures_of = [&](const RunResult& result) {
+    return nlohmann::json::parse(run_json(result)).at("measures");
+  };
+  RunResult result = run_case(scene, *profile);
+  auto json = measures_of(result);
+  BOOST_TEST(json.at("arrival_delay").at("fast").get<double>() == result.measures.arrival_delay[0]);
+  BOOST_TEST(json.at("arrival_delay").at("slow").get<double>() == result.measures.arrival_delay[1]);
+  for (std::size_t f = 0; f < 4; ++f) {
+    const auto& field = json.at(std::string(field_names[f]));
+    BOOST_TEST(field.at("overshoot").get<double>() == result.measures.overshoot[f].excess);
+    BOOST_TEST(field.at("total_variation").get<double>() ==
+               result.measures.overshoot[f].total_variation);
+    BOOST_TEST(field.at("ringing").get<double>() == result.measures.ringing[f].amplitude);
+    BOOST_TEST(field.at("ringing_share").get<double>() == result.measures.ringing[f].share);
+  }
+  BOOST_TEST(json.at("energy_drift").at("points").get<double>() == result.measures.energy.points);
+  BOOST_TEST(json.at("energy_drift").at("field").get<double>() == result.measures.energy.field);
+  BOOST_TEST(json.at("gap").at("reflected").is_null());
+  BOOST_TEST(json.at("gap").at("transmitted").is_null());
+
+  scene.discretization.empty_elements = {0.05};
+  result = run_case(scene, *profile);
+  json = measures_of(result);
+  BOOST_TEST(json.at("gap").at("reflected").get<double>() == result.measures.gap.reflected);
+  BOOST_TEST(json.at("gap").at("transmitted").get<double>() == result.measures.gap.transmitted);
+}
+
 BOOST_AUTO_TEST_CASE(json_says_which_path_ran) {
   Case scene = small_case();
   scene.time.path = solver::StepPath::points;
@@ -106,6 +136,7 @@ BOOST_AUTO_TEST_CASE(an_explosion_is_reported_with_step_and_quantity) {
   const auto json = nlohmann::json::parse(run_json(result));
   BOOST_TEST(json.at("diverged") == true);
   BOOST_TEST(json.at("errors").is_null());
+  BOOST_TEST(json.at("measures").is_null());
   BOOST_TEST(json.at("reason") == result.breakdown->reason);
 }
 

@@ -15,6 +15,7 @@ endif()
 file(GLOB_RECURSE sources RELATIVE ${SOURCE_DIR}
      ${SOURCE_DIR}/reference/*.?pp ${SOURCE_DIR}/solver/*.?pp
      ${SOURCE_DIR}/verification/norms.?pp ${SOURCE_DIR}/verification/field_errors.?pp
+     ${SOURCE_DIR}/verification/wave_measures/*.?pp
      ${SOURCE_DIR}/verification/run.?pp ${SOURCE_DIR}/verification/grade/*.?pp)
 list(FILTER sources EXCLUDE REGEX "_(test|fixtures|skeleton)\\.|/digits/|/tables/")
 list(SORT sources)

@@ -214,7 +214,8 @@ RunResult run_plain(const Case& scene, const reference::Profile& profile,
   result.time_step = column.time_step();
   result.points = column.points();
   result.reference_error = profile.error();
-  if (!result.breakdown) result.errors = field_errors(result.snapshot, profile);
+  if (!result.breakdown)
+    result.errors = field_errors(result.snapshot, reference_values(result.snapshot, profile));
   return result;
 }
 

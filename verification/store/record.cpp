@@ -9,6 +9,7 @@
 #include "verification/field_errors.hpp"
 #include "verification/study/build_identity.hpp"
 #include "verification/study/case_identity.hpp"
+#include "verification/wave_measures/wave_measures.hpp"
 
 namespace porowave::verification {
 
@@ -40,6 +41,8 @@ const std::vector<std::string>& measure_names() {
       }
     }
     list.insert(list.end(), {"reference_error", "largest_strain"});
+    const auto& waves = wave_measure_names();
+    list.insert(list.end(), waves.begin(), waves.end());
     return list;
   }();
   return names;

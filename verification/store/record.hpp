@@ -19,7 +19,8 @@ inline constexpr std::array<std::string_view, 4> case_status_names = {"done", "b
 
 /// Names of the numbers that a run is measured by, in the order of Record::measures: for each field
 /// the relative norms at the points and of the reconstructed field, such as
-/// "effective_stress_field_l2" (24), then "reference_error" and "largest_strain".
+/// "effective_stress_field_l2" (24), then "reference_error" and "largest_strain", then those of
+/// wave_measures.hpp. New ones come last.
 const std::vector<std::string>& measure_names();
 /// Index of a name in measure_names(); none if there is no such measure.
 std::optional<std::size_t> measure_index(std::string_view name);

@@ -28,27 +28,36 @@ const std::vector<std::string>& columns() {
   return names;
 }
 
+/// Rows in the order in which they come, with an index of their ids: a row is longer than a quarter
+/// of a page, and what is longer than that would fill pages of its own in the tree of the ids.
 std::string table_sql() {
   std::vector<std::string> measures;
   for (const std::string& name : measure_names()) measures.push_back(name + " REAL");
   return fmt::format(
-      "CREATE TABLE IF NOT EXISTS cases (id TEXT PRIMARY KEY, study TEXT NOT NULL, "
+      "CREATE TABLE IF NOT EXISTS cases (id TEXT PRIMARY KEY NOT NULL, study TEXT NOT NULL, "
       "specification TEXT NOT NULL, status TEXT NOT NULL, reason TEXT NOT NULL, "
       "steps INTEGER NOT NULL, time_step REAL, points INTEGER NOT NULL, {}, cpu_seconds REAL, "
       "wall_seconds REAL, peak_rss_bytes INTEGER, calibration_ns REAL, finished TEXT NOT NULL, "
-      "provenance TEXT NOT NULL) WITHOUT ROWID;"
+      "provenance TEXT NOT NULL);"
       "CREATE TABLE IF NOT EXISTS provenance (id TEXT PRIMARY KEY, version TEXT, git TEXT, "
       "numerics TEXT, compiler TEXT, flags TEXT, cpu TEXT, host TEXT) WITHOUT ROWID;",
       fmt::join(measures, ", "));
 }
 
+/// The name of a column as SQL takes it, whatever it is.
+std::string quoted(std::string_view name) {
+  std::string text = "\"";
+  for (const char c : name) text.append(c == '"' ? 2 : 1, c);
+  return text + "\"";
+}
+
 /// What happens to a row that is there already.
 constexpr auto unless_failed = " ON CONFLICT(id) DO UPDATE SET {} WHERE cases.status = 'failed'";
 
-std::string replacement() {
+std::string replacement(const std::vector<std::string>& names) {
   std::vector<std::string> assignments;
-  for (const std::string& name : columns()) {
-    if (name != "id") assignments.push_back(fmt::format("{0} = excluded.{0}", name));
+  for (const std::string& name : names) {
+    if (name != "id") assignments.push_back(fmt::format("{0} = excluded.{0}", quoted(name)));
   }
   return fmt::format(fmt::runtime(unless_failed), fmt::join(assignments, ", "));
 }
@@ -56,11 +65,65 @@ std::string replacement() {
 std::string insert_sql() {
   const std::vector<std::string> marks(columns().size(), "?");
   return fmt::format("INSERT INTO cases ({}) VALUES ({}){}", fmt::join(columns(), ", "),
-                     fmt::join(marks, ", "), replacement());
+                     fmt::join(marks, ", "), replacement(columns()));
 }
 
-std::string select_sql(const std::string& condition) {
-  return fmt::format("SELECT {} FROM cases{} ORDER BY id", fmt::join(columns(), ", "), condition);
+/// Names of the columns of the table `cases` of a schema, "main" or that of an attached database.
+std::vector<std::string> columns_in(Database& database, const std::string& schema) {
+  Statement rows = database.prepare("SELECT name FROM pragma_table_info('cases', ?)");
+  rows.bind(0, schema);
+  std::vector<std::string> names;
+  while (rows.step()) names.push_back(rows.text(0));
+  return names;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Adds columns for measures; within a transaction of the caller.
+void add_columns(Database& database, const std::vector<std::string>& names) {
+  const std::vector<std::string> present = columns_in(database, "main");
+  for (const std::string& name : names) {
+    if (contains(present, name)) continue;
+    database.execute(fmt::format("ALTER TABLE main.cases ADD COLUMN {} REAL", quoted(name)));
+  }
+}
+
+/// All or nothing of what is done while it lives; nothing unless it is committed.
+class Transaction {
+ public:
+  explicit Transaction(Database& database) : database_(database) {
+    database_.execute("BEGIN IMMEDIATE");
+  }
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  ~Transaction() {
+    if (!open_) return;
+    // A full disk has rolled back by itself; then this finds nothing to do.
+    try {
+      database_.execute("ROLLBACK");
+    } catch (const EnvironmentError&) {
+    }
+  }
+  void commit() {
+    database_.execute("COMMIT");
+    open_ = false;
+  }
+
+ private:
+  Database& database_;
+  bool open_ = true;
+};
+
+/// A column that the store does not have is NULL in every row.
+std::string select_sql(Database& database, const std::string& condition) {
+  const std::vector<std::string> present = columns_in(database, "main");
+  std::vector<std::string> wanted = columns();
+  for (std::string& name : wanted) {
+    if (!contains(present, name)) name = "NULL";
+  }
+  return fmt::format("SELECT {} FROM cases{} ORDER BY id", fmt::join(wanted, ", "), condition);
 }
 
 void bind(Statement& statement, const Record& record) {
@@ -123,10 +186,13 @@ Store Store::create_or_open(const std::string& path) {
                      store.number("SELECT count(*) FROM sqlite_master") == 0;
   if (!fresh) store.require_version();
   store.database_.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
+  Transaction transaction(store.database_);
   store.database_.execute(
-      "BEGIN IMMEDIATE;" + table_sql() +
-      fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}; COMMIT;", application,
-                  version));
+      table_sql() +
+      fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};", application, version));
+  add_columns(store.database_, measure_names());
+  add_columns(store.database_, {"calibration_ns"});
+  transaction.commit();
   return store;
 }
 
@@ -155,20 +221,15 @@ void Store::require_version() const {
 
 void Store::add(const std::vector<Record>& records) {
   Statement insert = database_.prepare(insert_sql());
-  database_.execute("BEGIN IMMEDIATE");
+  Transaction transaction(database_);
   try {
     for (const Record& record : records) {
       bind(insert, record);
       insert.run();
     }
-    database_.execute("COMMIT");
+    transaction.commit();
   } catch (...) {
     insert.reset();
-    // A full disk has rolled back by itself; then this finds nothing to do.
-    try {
-      database_.execute("ROLLBACK");
-    } catch (const EnvironmentError&) {
-    }
     throw;
   }
 }
@@ -199,14 +260,14 @@ bool Store::finished(const std::string& id) const {
 }
 
 std::optional<Record> Store::find(const std::string& id) const {
-  Statement rows = database_.prepare(select_sql(" WHERE id = ?"));
+  Statement rows = database_.prepare(select_sql(database_, " WHERE id = ?"));
   rows.bind(0, id);
   if (!rows.step()) return std::nullopt;
   return record_of(rows);
 }
 
 std::vector<Record> Store::beginning_with(const std::string& id) const {
-  Statement rows = database_.prepare(select_sql(" WHERE substr(id, 1, ?) = ?"));
+  Statement rows = database_.prepare(select_sql(database_, " WHERE substr(id, 1, ?) = ?"));
   rows.bind(0, static_cast<std::int64_t>(id.size()));
   rows.bind(1, id);
   std::vector<Record> records;
@@ -221,7 +282,8 @@ std::size_t Store::count() const {
 }
 
 std::vector<Record> Store::all(const std::string& study) const {
-  Statement rows = database_.prepare(select_sql(study.empty() ? "" : " WHERE study = ?"));
+  Statement rows =
+      database_.prepare(select_sql(database_, study.empty() ? "" : " WHERE study = ?"));
   if (!study.empty()) rows.bind(0, study);
   std::vector<Record> records;
   while (rows.step()) records.push_back(record_of(rows));
@@ -233,13 +295,18 @@ void Store::merge(const std::string& other) {
   Statement attach = database_.prepare("ATTACH DATABASE ? AS other");
   attach.bind(0, other);
   attach.run();
-  const std::string names = fmt::format("{}", fmt::join(columns(), ", "));
+  const std::vector<std::string> names = columns_in(database_, "other");
+  Transaction transaction(database_);
+  add_columns(database_, names);
+  std::vector<std::string> list(names.size());
+  std::transform(names.begin(), names.end(), list.begin(), quoted);
   // "WHERE true" lets SQLite tell the conflict clause from a join.
   database_.execute(
-      fmt::format("BEGIN IMMEDIATE; INSERT OR IGNORE INTO provenance SELECT * FROM "
-                  "other.provenance; INSERT INTO cases ({0}) SELECT {0} FROM "
-                  "other.cases WHERE true{1}; COMMIT; DETACH DATABASE other",
-                  names, replacement()));
+      fmt::format("INSERT OR IGNORE INTO provenance SELECT * FROM other.provenance; "
+                  "INSERT INTO cases ({0}) SELECT {0} FROM other.cases WHERE true{1}",
+                  fmt::join(list, ", "), replacement(names)));
+  transaction.commit();
+  database_.execute("DETACH DATABASE other");
 }
 
 }  // namespace porowave::verification

@@ -13,6 +13,11 @@ namespace porowave::verification {
 /// Results of cases in one SQLite file: table `cases`, one row a case, keyed by its id; table
 /// `provenance`. A row is written whole or not at all, also under kill -9; writing a case twice
 /// changes nothing. Several processes may use one store at a time.
+///
+/// Every measure is a column of its name. A store whose program knew fewer measures is read as it
+/// is (what was not measured is NaN), and gets the missing columns when it is opened for writing:
+/// old rows stay, and are rows of that program. Columns that this program does not know stay too,
+/// and come along when stores are merged.
 class Store {
  public:
   /// Throws InputError if the file is no store or of a newer version, EnvironmentError if it cannot

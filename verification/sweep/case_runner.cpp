@@ -45,6 +45,8 @@ void set_result(const RunResult& result, Record& record) {
     }
   }
   record.measures.insert(record.measures.end(), {result.reference_error, result.largest_strain});
+  const std::vector<double> waves = wave_measure_values(result.measures);
+  record.measures.insert(record.measures.end(), waves.begin(), waves.end());
 }
 
 /// Only errors at the points are known.

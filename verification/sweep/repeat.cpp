@@ -20,10 +20,20 @@ bool close(double a, double b) {
   return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
 }
 
-bool same_outcome(const Record& a, const Record& b) {
-  if (a.status != b.status || a.steps != b.steps) return false;
-  for (std::size_t m = 0; m < a.measures.size(); ++m) {
-    if (!close(a.measures[m], b.measures[m])) return false;
+/// A program with other numerics may have known fewer measures: what it has not measured is NaN.
+bool not_measured_then(const Record& then, const Record& now, std::size_t measure) {
+  return then.id != now.id && std::isnan(then.measures[measure]);
+}
+
+bool differs(const Record& then, const Record& now, std::size_t measure) {
+  return !not_measured_then(then, now, measure) &&
+         !close(then.measures[measure], now.measures[measure]);
+}
+
+bool same_outcome(const Record& then, const Record& now) {
+  if (then.status != now.status || then.steps != now.steps) return false;
+  for (std::size_t m = 0; m < then.measures.size(); ++m) {
+    if (differs(then, now, m)) return false;
   }
   return true;
 }
@@ -61,13 +71,11 @@ std::string comparison(const Repetition& repetition) {
     return case_status_names[static_cast<std::size_t>(r.status)];
   };
   std::string text =
-      fmt::format("{:<30} {:>14} {:>14}\n{:<30} {:>14} {:>14}\n{:<30} {:>14} {:>14}\n", "",
+      fmt::format("{:<34} {:>14} {:>14}\n{:<34} {:>14} {:>14}\n{:<34} {:>14} {:>14}\n", "",
                   "stored", "now", "status", word(then), word(now), "steps", then.steps, now.steps);
   for (std::size_t m = 0; m < measure_names().size(); ++m) {
-    const double a = then.measures[m];
-    const double b = now.measures[m];
-    text += fmt::format("{:<30} {:>14.6e} {:>14.6e}{}\n", measure_names()[m], a, b,
-                        close(a, b) ? "" : "  differs");
+    text += fmt::format("{:<34} {:>14.6e} {:>14.6e}{}\n", measure_names()[m], then.measures[m],
+                        now.measures[m], differs(then, now, m) ? "  differs" : "");
   }
   return text;
 }

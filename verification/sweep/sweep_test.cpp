@@ -142,6 +142,52 @@ BOOST_AUTO_TEST_CASE(cases_that_cannot_be_run_are_rows_with_their_reason) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(rows_have_the_measures_of_waves) {
+  const ScratchDirectory directory;
+  const Study study = small_study("\"discretization.elements\" = [40, 60]\n");
+  Store store = Store::create_or_open(directory.file("results"));
+  porowave::verification::sweep(study, store, {.jobs = 2});
+  for (const Record& row : store.all()) {
+    BOOST_REQUIRE(row.measures.size() == measure_names().size());
+    for (std::size_t m = 0; m < row.measures.size(); ++m) {
+      const std::string& name = measure_names()[m];
+      BOOST_TEST(std::isfinite(row.measures[m]) != name.starts_with("gap_"), name);
+    }
+    // The same number twice, once as a share of the error and once of the reference.
+    const double l2 = row.measures[*measure_index("pore_pressure_field_l2")];
+    const double share = row.measures[*measure_index("pore_pressure_ringing_share")];
+    BOOST_TEST(row.measures[*measure_index("pore_pressure_ringing")] == l2 * std::sqrt(share),
+               boost::test_tools::tolerance(1e-9));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_row_of_a_program_that_measured_less_is_repeated_as_far_as_it_goes) {
+  const ScratchDirectory directory;
+  const Study study = small_study("\"discretization.seed\" = [1]\n");
+  Store store = Store::create_or_open(directory.file("results"));
+  porowave::verification::sweep(study, store, {.jobs = 1});
+  Record row = store.all().at(0);
+  BOOST_TEST(repeat(store, row.id).same);
+  const auto late = *measure_index("fast_arrival_delay");
+  const std::string now = row.id;
+  const auto stored_as = [&](const std::string& id) {
+    row.id = id;
+    store.add({row});
+    return repeat(store, id);
+  };
+  row.measures[late] = std::numeric_limits<double>::quiet_NaN();
+  BOOST_TEST(stored_as("of another program").same);
+  BOOST_TEST(comparison(stored_as("of yet another program")).find("differs") == std::string::npos);
+  row.measures[0] *= 1.001;
+  BOOST_TEST(!stored_as("with another error").same);
+  // The same program measures what it measured.
+  row = repeat(store, now).now;
+  row.measures[late] = std::numeric_limits<double>::quiet_NaN();
+  Store same = Store::create_or_open(directory.file("same"));
+  same.add({row});
+  BOOST_TEST(!repeat(same, now).same);
+}
+
 BOOST_AUTO_TEST_CASE(another_solver_runs_the_cases) {
   const ScratchDirectory directory;
   // Good for seed 1, broken for seed 2; the case is $0, the output $1.
