@@ -35,6 +35,23 @@ inline PointSet<1> column_points(int per_cell) {
   return points;
 }
 
+// Regular in every cell, some of them empty.
+inline PointSet<1> regular_points(int per_cell, const std::vector<double>& empty_elements = {}) {
+  Discretization d;
+  d.elements = column_cells;
+  d.points_per_element = per_cell;
+  d.placement = Placement::uniform;
+  d.empty_elements = empty_elements;
+  PlacedPoints placed = place_points(d, 0.01, Phase::solid);
+  PointSet<1> points;
+  for (std::size_t p = 0; p < placed.x.size(); ++p) {
+    points.x.emplace_back(placed.x[p]);
+    points.mass.push_back(density * placed.volume[p]);
+  }
+  points.volume = std::move(placed.volume);
+  return points;
+}
+
 inline Discretization recovered(Discretization choice) {
   choice.strain = Strain::recovered;
   return choice;

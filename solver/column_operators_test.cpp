@@ -43,9 +43,35 @@ void scatter(const ColumnOperators& operators, std::size_t part, PointValues& po
   }
 }
 
+// How far from a node the points that it moves are felt.
+std::size_t felt_from(std::size_t node, const ColumnOperators& operators, std::size_t points) {
+  std::vector<double> nodal(nodes);
+  nodal[node] = 1.0;
+  PointValues moved{std::vector<double>(points), std::vector<double>(points), {}};
+  const std::vector<double> zero(nodes);
+  operators.scatter({1.0, zero.data(), nodal.data(), nodal.data(), 1.0}, {0, cells}, moved);
+  const Nodes felt = gather(operators, moved, nodes);
+  std::size_t farthest = 0;
+  for (std::size_t i = 0; i < nodes; ++i) {
+    if (felt.velocity[i] == 0.0 && felt.force[i] == 0.0) continue;
+    farthest = std::max(farthest, i > node ? i - node : node - i);
+  }
+  return farthest;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(column_operators)
+
+BOOST_AUTO_TEST_CASE(nothing_is_felt_beyond_the_reach) {
+  test::for_all_columns([](const auto& points, const auto& grid, const auto& choice) {
+    const auto operators = prepare_phase(points, grid, choice).operators;
+    // At both ends, in the middle, and around the empty element 300.
+    for (const std::size_t node : {0, 150, 298, 299, 300, 301, 302, 303, 450, 600}) {
+      BOOST_TEST(felt_from(node, *operators, points.x.size()) <= operators->reach());
+    }
+  });
+}
 
 BOOST_AUTO_TEST_CASE(the_compact_form_is_the_transfer_to_rounding) {
   test::for_all_columns([](const auto& points, const auto& grid, const auto& choice) {

@@ -216,7 +216,7 @@ void ColumnSolver::freeze() {
   }
   const Material& m = scene_.problem.material;
   frozen_.emplace(
-      solid_.prepared.operators, fluid_.prepared.operators,
+      solid_.prepared.operators, fluid_.prepared.operators, update_,
       FrozenColumn::Constants{scene_.time.flip, m.solid_fraction(), m.porosity,
                               dt_ * m.constrained_modulus, -dt_ * m.storage_modulus(), dt_});
 }
@@ -280,11 +280,16 @@ bool ColumnSolver::sweep(const StepLoad& load) {
 
 bool ColumnSolver::sweep_frozen(const StepLoad& load) {
   const std::size_t parts = (window_ + part_nodes_ - 1) / part_nodes_;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(static_cast <int>(threads_)) if (threads_ > 1)
-#endif
-  for (std::size_t k = 0; k < parts; ++k) {
+  const auto step_part = [&](std::size_t k) {
     frozen_->step(scene_.problem, load, update_, part(k), solid_.nodes, fluid_.nodes);
+  };
+  if (threads_ > 1) {
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) num_threads(static_cast <int>(threads_))
+#endif
+    for (std::size_t k = 0; k < parts; ++k) step_part(k);
+  } else {  // a team of one thread would cost as much as 200 nodes
+    for (std::size_t k = 0; k < parts; ++k) step_part(k);
   }
   frozen_->end_step();
   // The bound is cheap, the displacements themselves are not: only where it does not do.

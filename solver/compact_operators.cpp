@@ -138,9 +138,10 @@ void CompactOperators::gradient_at_points(const double* nodal, double* at_points
   }
 }
 
-std::size_t CompactOperators::cell_of(std::size_t point) const {
-  const auto next = std::upper_bound(first_point_.begin(), first_point_.end(), point);
-  return static_cast<std::size_t>(next - first_point_.begin()) - 1;
+std::size_t CompactOperators::cell_of(std::size_t point, std::size_t near) const {
+  while (point < first_point_[near]) --near;
+  while (point >= first_point_[near + 1]) ++near;
+  return near;
 }
 
 // A node moves the points of the cells beside it, these the nodes and cell middles whose rows touch
@@ -151,8 +152,9 @@ std::size_t CompactOperators::reach_of_rows() const {
     for (std::size_t r = 0; r < rows->row_count(); ++r) {
       const Range points = rows->columns(r);
       if (points.size() == 0) continue;
-      const std::size_t first = cell_of(points.first);
-      const std::size_t last = cell_of(points.last - 1);
+      const std::size_t near = std::min(r, cell_count() - 1);
+      const std::size_t first = cell_of(points.first, near);
+      const std::size_t last = cell_of(points.last - 1, near);
       reach = std::max({reach, r > first ? r - first : 0, last + 1 > r ? last + 1 - r : 0});
     }
   }

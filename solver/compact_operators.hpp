@@ -36,7 +36,8 @@ class CompactOperators : public ColumnOperators {
   const SharedStrains& shared_strains() const { return shared_strains_; }
 
  private:
-  std::size_t cell_of(std::size_t point) const;
+  // Walks there from the cell `near`.
+  std::size_t cell_of(std::size_t point, std::size_t near) const;
   std::size_t reach_of_rows() const;
 
   RangeRows node_rows_;

@@ -16,6 +16,7 @@ struct FrozenColumn::Scratch {
     double* data() { return values.data() + 8; }
     const double* data() const { return values.data() + 8; }
   };
+  std::size_t first;  // node
   Line solid_velocity, fluid_velocity, effective_stress, pore_pressure, new_solid, new_fluid;
 };
 
@@ -31,6 +32,13 @@ struct Arrays {
   double* new_solid;
   double* new_fluid;
 };
+
+Arrays arrays_of(FrozenColumn::Scratch& at, std::size_t node) {
+  const std::size_t k = node - at.first;
+  return {at.solid_velocity.data() + k,   at.fluid_velocity.data() + k,
+          at.effective_stress.data() + k, at.pore_pressure.data() + k,
+          at.new_solid.data() + k,        at.new_fluid.data() + k};
+}
 
 POROWAVE_VECTORISED void move_nodes(const NodeCoefficients* coefficients, double ns, double nf,
                                     const Arrays& at, std::size_t eights) {
@@ -115,14 +123,6 @@ std::shared_ptr<const BandedRows> cell_band(const CompactOperators& compact) {
   });
 }
 
-template <class Band>
-std::shared_ptr<const BandedPair> pair_of(const CompactOperators& solid,
-                                          const CompactOperators& fluid, Band&& band) {
-  const auto of_solid = band(solid);
-  return std::make_shared<BandedPair>(of_solid, &solid == &fluid ? of_solid : band(fluid),
-                                      solid.cell_count() + 1);
-}
-
 std::shared_ptr<const CompactOperators> compact_form(
     const std::shared_ptr<const ColumnOperators>& operators) {
   auto compact = std::dynamic_pointer_cast<const CompactOperators>(operators);
@@ -147,14 +147,23 @@ void settle_phase(const CompactOperators& at, const double* q, const double* e,
 
 FrozenColumn::FrozenColumn(const std::shared_ptr<const ColumnOperators>& solid,
                            const std::shared_ptr<const ColumnOperators>& fluid,
-                           const Constants& constants)
+                           const PreparedUpdate& update, const Constants& constants)
     : solid_points_(compact_form(solid)),
       fluid_points_(compact_form(fluid)),
-      to_nodes_(pair_of(*solid_points_, *fluid_points_, node_band)),
-      to_cells_(pair_of(*solid_points_, *fluid_points_, cell_band)),
       constants_(constants),
       spacing_(solid_points_->spacing()),
       node_count_(solid_points_->cell_count() + 1) {
+  const bool shared = solid_points_ == fluid_points_;
+  const auto nodes = node_band(*solid_points_);
+  const auto cells = cell_band(*solid_points_);
+  to_nodes_ =
+      std::make_shared<BandedPair>(nodes, shared ? nodes : node_band(*fluid_points_), node_count_);
+  to_cells_ =
+      std::make_shared<BandedPair>(cells, shared ? cells : cell_band(*fluid_points_), node_count_);
+  if (shared) {
+    regular_ = RegularNodes(*nodes, *cells, update, constants.solid_fraction, constants.porosity,
+                            node_count_);
+  }
   const std::size_t parts = (node_count_ + part_nodes - 1) / part_nodes;
   const PaddedValues nodal(node_count_, to_nodes_->reach() + 8);
   const PaddedValues cellwise(node_count_, to_cells_->reach() + 8);
@@ -187,46 +196,94 @@ void FrozenColumn::update_specials(const Problem& problem, const StepLoad& load,
   }
 }
 
-void FrozenColumn::step(const Problem& problem, const StepLoad& load, const PreparedUpdate& update,
-                        Range nodes, PhaseNodes& solid, PhaseNodes& fluid) {
-  Scratch at;  // large, and all of it is written below
-  const std::size_t first = nodes.first;
-  const std::size_t eights = (nodes.size() + 7) / 8;
-  const Range rows{first / 8, first / 8 + eights};
-  to_nodes_->multiply(rows, nodes_.solid.data(), nodes_.fluid.data(), at.solid_velocity.data(),
-                      at.fluid_velocity.data());
-  to_cells_->multiply(rows, cells_.solid.data(), cells_.fluid.data(), at.effective_stress.data(),
-                      at.pore_pressure.data());
-  // The cell before the first node belongs to the part before; there is none before the column.
-  at.effective_stress.data()[-1] = at.pore_pressure.data()[-1] = 0.0;
-  if (first > 0) {
-    to_cells_->multiply({rows.first - 1, rows.first}, cells_.solid.data(), cells_.fluid.data(),
-                        at.effective_stress.data() - 8, at.pore_pressure.data() - 8);
+void FrozenColumn::gather(Range eights, Scratch& at) const {
+  const std::size_t k = eights.first * 8 - at.first;
+  to_nodes_->multiply(eights, nodes_.solid.data(), nodes_.fluid.data(),
+                      at.solid_velocity.data() + k, at.fluid_velocity.data() + k);
+  to_cells_->multiply(eights, cells_.solid.data(), cells_.fluid.data(),
+                      at.effective_stress.data() + k, at.pore_pressure.data() + k);
+  // The cell before the first node belongs to others; there is none before the column.
+  if (eights.first == 0) {
+    at.effective_stress.data()[-1] = at.pore_pressure.data()[-1] = 0.0;
+    return;
   }
-  const Arrays arrays{at.solid_velocity.data(),   at.fluid_velocity.data(),
-                      at.effective_stress.data(), at.pore_pressure.data(),
-                      at.new_solid.data(),        at.new_fluid.data()};
-  move_nodes(&update.coefficients(rows.first), constants_.solid_fraction, constants_.porosity,
-             arrays, eights);
-  update_specials(problem, load, update, nodes, at, solid, fluid);
-  std::fill_n(at.new_solid.data() + 8 * eights, 8, 0.0);
-  std::fill_n(at.new_fluid.data() + 8 * eights, 8, 0.0);
+  to_cells_->multiply({eights.first - 1, eights.first}, cells_.solid.data(), cells_.fluid.data(),
+                      at.effective_stress.data() + k - 8, at.pore_pressure.data() + k - 8);
+}
 
-  const double squares = std::max(
-      update_node_values(constants_.flip, arrays.solid_velocity, arrays.new_solid,
-                         nodes_.solid.data() + first, eights, new_nodes_.solid.data() + first),
-      update_node_values(constants_.flip, arrays.fluid_velocity, arrays.new_fluid,
-                         nodes_.fluid.data() + first, eights, new_nodes_.fluid.data() + first));
+FrozenColumn::Squares FrozenColumn::update_values(Range eights, Scratch& at) {
+  const std::size_t first = eights.first * 8;
+  const Arrays arrays = arrays_of(at, first);
   const double factor = constants_.pore_pressure / spacing_;
   const double* e[2] = {cells_.solid.data() + first, cells_.fluid.data() + first};
   double* e_new[2] = {new_cells_.solid.data() + first, new_cells_.fluid.data() + first};
   update_cell_values(factor * constants_.solid_fraction, factor * constants_.porosity, arrays, e,
-                     eights, constants_.effective_stress / spacing_, e_new);
-  PartEnds& ends = ends_[first / part_nodes];
-  ends = {arrays.new_solid[0], arrays.new_fluid[0], 0.0, 0.0, squares};
+                     eights.size(), constants_.effective_stress / spacing_, e_new);
+  return {update_node_values(constants_.flip, arrays.solid_velocity, arrays.new_solid,
+                             nodes_.solid.data() + first, eights.size(),
+                             new_nodes_.solid.data() + first),
+          update_node_values(constants_.flip, arrays.fluid_velocity, arrays.new_fluid,
+                             nodes_.fluid.data() + first, eights.size(),
+                             new_nodes_.fluid.data() + first)};
+}
+
+FrozenColumn::Squares FrozenColumn::step_regular_nodes(Range eights, Scratch& at) {
+  const std::size_t i = eights.first * 8;
+  const double factor = constants_.pore_pressure / spacing_;
+  double* solid = at.new_solid.data() + (i - at.first);
+  double* fluid = at.new_fluid.data() + (i - at.first);
+  const std::size_t count = 8 * eights.size();
+  const RegularResult result = step_regular(
+      regular_.stencil(),
+      {constants_.flip, constants_.effective_stress / spacing_, factor * constants_.solid_fraction,
+       factor * constants_.porosity},
+      {nodes_.solid.data() + i, nodes_.fluid.data() + i, cells_.solid.data() + i,
+       cells_.fluid.data() + i, new_nodes_.solid.data() + i, new_nodes_.fluid.data() + i,
+       new_cells_.solid.data() + i, new_cells_.fluid.data() + i},
+      eights.size(), solid[count], fluid[count]);
+  solid[0] = result.solid.first;
+  fluid[0] = result.fluid.first;
+  solid[count - 1] = result.solid.last;
+  fluid[count - 1] = result.fluid.last;
+  return {result.solid.squares, result.fluid.squares};
+}
+
+void FrozenColumn::step(const Problem& problem, const StepLoad& load, const PreparedUpdate& update,
+                        Range nodes, PhaseNodes& solid, PhaseNodes& fluid) {
+  Scratch at;  // large, and all that is read of it is written below
+  at.first = nodes.first;
+  const std::size_t eights = (nodes.size() + 7) / 8;
+  const Range part{nodes.first / 8, nodes.first / 8 + eights};
+  const Range run = regular_.in_block(nodes.first / part_nodes);
+  const Range regular{std::min(run.first, part.last), std::min(run.last, part.last)};
+  const std::array<Range, 2> others =
+      regular.size() > 0
+          ? std::array{Range{part.first, regular.first}, Range{regular.last, part.last}}
+          : std::array{part, Range{part.last, part.last}};
+  for (const Range& other : others) {
+    if (other.size() == 0) continue;
+    gather(other, at);
+    move_nodes(&update.coefficients(other.first), constants_.solid_fraction, constants_.porosity,
+               arrays_of(at, 8 * other.first), other.size());
+  }
+  update_specials(problem, load, update, nodes, at, solid, fluid);
+  std::fill_n(at.new_solid.data() + 8 * eights, 8, 0.0);
+  std::fill_n(at.new_fluid.data() + 8 * eights, 8, 0.0);
+
+  Squares squares;
+  if (regular.size() > 0) squares = step_regular_nodes(regular, at);
+  for (const Range& other : others) {
+    if (other.size() == 0) continue;
+    const Squares there = update_values(other, at);
+    squares.solid += there.solid;
+    squares.fluid += there.fluid;
+  }
+  PartEnds& ends = ends_[nodes.first / part_nodes];
+  ends = {at.new_solid.data()[0], at.new_fluid.data()[0], 0.0, 0.0,
+          std::max(squares.solid, squares.fluid)};
   if (8 * eights < part_nodes) return;  // the part reaches beyond the signal or the column
-  ends.solid_last = arrays.new_solid[part_nodes - 1];
-  ends.fluid_last = arrays.new_fluid[part_nodes - 1];
+  ends.solid_last = at.new_solid.data()[part_nodes - 1];
+  ends.fluid_last = at.new_fluid.data()[part_nodes - 1];
 }
 
 void FrozenColumn::end_step() {

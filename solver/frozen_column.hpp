@@ -14,6 +14,8 @@
 // difference of large displacements would, and displacements follow from it when asked for. Points
 // are made up for when they are asked for.
 //
+// Amid regular points all rows of W and B are the same: regular_nodes.hpp.
+//
 // A step reads the values before it and writes those after it elsewhere, part by part of 256 nodes,
 // in any order or side by side: no bit depends on that.
 
@@ -25,6 +27,7 @@
 #include "solver/banded_pair.hpp"
 #include "solver/compact_operators.hpp"
 #include "solver/prepared_update.hpp"
+#include "solver/regular_nodes.hpp"
 
 namespace porowave::solver {
 
@@ -44,9 +47,11 @@ class FrozenColumn {
   // Nodal values of one part, one a thread.
   struct Scratch;
 
-  // Throws std::invalid_argument if an operator has no compact form.
+  // `update` as all steps will get it. Throws std::invalid_argument if an operator has no compact
+  // form.
   FrozenColumn(const std::shared_ptr<const ColumnOperators>& solid,
-               const std::shared_ptr<const ColumnOperators>& fluid, const Constants& constants);
+               const std::shared_ptr<const ColumnOperators>& fluid, const PreparedUpdate& update,
+               const Constants& constants);
   // Whether a phase with these operators can be frozen.
   static bool possible(const ColumnOperators& points);
 
@@ -80,6 +85,13 @@ class FrozenColumn {
     double squares = 0.0;  // sum of all squares
   };
 
+  // Of some eights of nodes: velocities and forces; new q and e from the new velocities; a step.
+  struct Squares {
+    double solid = 0.0, fluid = 0.0;  // Σ v'²
+  };
+  void gather(Range eights, Scratch& at) const;
+  Squares update_values(Range eights, Scratch& at);
+  Squares step_regular_nodes(Range eights, Scratch& at);
   void update_specials(const Problem& problem, const StepLoad& load, const PreparedUpdate& update,
                        Range nodes, Scratch& at, PhaseNodes& solid, PhaseNodes& fluid) const;
 
@@ -87,6 +99,7 @@ class FrozenColumn {
   std::shared_ptr<const CompactOperators> fluid_points_;
   std::shared_ptr<const BandedPair> to_nodes_;  // W
   std::shared_ptr<const BandedPair> to_cells_;  // B
+  RegularNodes regular_;
   Constants constants_;
   double spacing_;
   std::size_t node_count_;
