@@ -52,10 +52,12 @@ BOOST_AUTO_TEST_SUITE(cost)
 
 BOOST_AUTO_TEST_CASE(a_slower_machine_costs_no_more_and_a_slower_solver_does) {
   const Trial trial(rules);
-  check(verdicts_of(trial, groups_of_cost(trial, 8.0, 1.0))[0], VerdictKind::pass, "8");
+  check(verdicts_of(trial, groups_of_cost(trial, 8.0, 1.0))[0], VerdictKind::pass, "1.00 times");
   check(verdicts_of(trial, groups_of_cost(trial, 8.0, 3.0))[0], VerdictKind::pass, "1.00 times");
   check(verdicts_of(trial, groups_of_cost(trial, 11.0, 1.0))[0], VerdictKind::pass, "1.3");
   check(verdicts_of(trial, groups_of_cost(trial, 16.0, 1.0))[0], VerdictKind::fail, "2.00 times");
+  check(verdicts_of(trial, groups_of_cost(trial, 16.0, 1.0)).back(), VerdictKind::fail,
+        "2.00 times");
   check(verdicts_of(trial, groups_of_cost(trial, 4.0, 1.0))[0], VerdictKind::fail, "rebaseline");
 }
 
@@ -65,7 +67,21 @@ BOOST_AUTO_TEST_CASE(some_measurements_that_are_far_too_large_do_not_matter) {
   const auto groups = groups_of_cost(trial, 8.0, 1.0, [&](Record& record) {
     if (++row % 4 == 0) record.cpu_seconds *= 10.0;
   });
-  check(verdicts_of(trial, groups)[0], VerdictKind::pass, "8");
+  check(verdicts_of(trial, groups)[0], VerdictKind::pass, "1.0");
+}
+
+BOOST_AUTO_TEST_CASE(one_group_that_has_become_slow_is_named) {
+  const Trial trial(rules);
+  int row = 0;
+  const auto groups = groups_of_cost(trial, 8.0, 1.0, [&](Record& record) {
+    if (++row > 12) record.cpu_seconds *= 2.0;  // the second kernel
+  });
+  const auto verdicts = verdicts_of(trial, groups);
+  BOOST_REQUIRE(verdicts.size() == 3U);
+  check(verdicts[0], VerdictKind::pass, "1.00 times");
+  check(verdicts[1], VerdictKind::fail, "2.00 times");
+  BOOST_TEST(verdicts[1].group.find("bspline2") != std::string::npos);
+  check(verdicts[2], VerdictKind::pass, "1.41 times");
 }
 
 BOOST_AUTO_TEST_CASE(what_was_not_measured_is_inconclusive) {
