@@ -5,8 +5,8 @@
 #include <set>
 
 #include "verification/gate/gate.hpp"
-#include "verification/run.hpp"
 #include "verification/process/scratch_directory.hpp"
+#include "verification/run.hpp"
 #include "verification/sweep/sweep.hpp"
 #include "verification/wave_measures/wave_fixtures.hpp"
 
