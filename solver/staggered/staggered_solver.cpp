@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace porowave::solver {
 
@@ -219,6 +220,34 @@ std::optional<Breakdown> StaggeredSolver::run() {
     if (auto found = find_breakdown()) return found;
   }
   return std::nullopt;
+}
+
+std::vector<double> StaggeredSolver::state() const {
+  std::vector<double> state(4 * cells_ + 2);
+  double* next = state.data();
+  for (const PhaseLines* lines : {&solid_, &fluid_}) {
+    next = std::copy_n(lines->velocity_sum.data(), cells_ + 1, next);
+  }
+  for (const PhaseLines* lines : {&solid_, &fluid_}) {
+    next = std::copy_n(lines->stress_sum.data() + 1, cells_, next);
+  }
+  return state;
+}
+
+void StaggeredSolver::set_state(std::span<const double> state) {
+  if (state.size() != 4 * cells_ + 2) {
+    throw std::invalid_argument("staggered solver: a state has 4 elements + 2 numbers");
+  }
+  end_ = cells_ + 1;
+  const double* next = state.data();
+  for (PhaseLines* lines : {&solid_, &fluid_}) {
+    std::copy_n(next, cells_ + 1, lines->velocity_sum.begin());
+    next += cells_ + 1;
+  }
+  for (PhaseLines* lines : {&solid_, &fluid_}) {
+    std::copy_n(next, cells_, lines->stress_sum.begin() + 1);
+    next += cells_;
+  }
 }
 
 Snapshot StaggeredSolver::snapshot() const {
