@@ -163,7 +163,6 @@ Growth iterated_growth(const LinearMap& map, const GrowthSettings& settings) {
     if (next == most) {
       march.run(std::max(most / 2 - march.steps, 0L));
       half_size = march.log_size;
-      found.steps = march.steps;
     }
     const long before = march.steps;
     march.run(next - march.steps);
