@@ -53,10 +53,9 @@ std::string short_text(const TomlValue& value) {
   const auto* number = std::get_if<double>(&value.value);
   if (number == nullptr) return plain_text(value);
   std::string text = fmt::format("{:g}", *number);
-  for (const char* idle : {"e+0", "e-0"}) {
-    const auto at = text.find(idle);
-    if (at != std::string::npos) text.replace(at, 3, idle[1] == '-' ? "e-" : "e");
-  }
+  const auto e = text.find('e');
+  while (e != std::string::npos && (text[e + 1] == '+' || text[e + 1] == '0')) text.erase(e + 1, 1);
+  if (e != std::string::npos && text[e + 1] == '-' && text[e + 2] == '0') text.erase(e + 2, 1);
   return text;
 }
 

@@ -44,6 +44,7 @@ BOOST_AUTO_TEST_CASE(first_axes_go_down_and_the_others_across) {
   BOOST_TEST(contains(text(figure, "row_labels"), "1.0 1 bspline1 4.0 1 bspline2 "));
   BOOST_TEST(contains(text(figure, "row_labels"), "0.0 2 uniform 1.0 2 stratified 2.0 2 random "));
   BOOST_TEST(contains(text(figure, "column_labels"), " 3 2.2e7 "));
+  BOOST_TEST(contains(text(figure, "column_labels"), " 3 2.2e11 "));
   BOOST_TEST(contains(text(figure, "column_labels"), " 4 1e-9 "));
   BOOST_TEST(contains(figure.data, "\n5 0 0.0050\n"));
   BOOST_TEST(contains(figure.data, "\n7 0 -1.0000\n"));   // refused

@@ -99,7 +99,12 @@ int run_case(const Options& options) {
     make_output_directory(options.output);
     require_gnuplot();
   }
-  const auto found = verification::scene_stability(scene, options.settings());
+  const auto settings = options.settings();
+  // The scan, and some five steps to close in.
+  const double scan = (settings.highest - settings.lowest) / settings.spacing;
+  Progress progress("time steps", static_cast<int>(scan) + 6);
+  const auto found = verification::scene_stability(scene, settings, [&] { progress.done_one(); });
+  progress.end();
   fmt::print("{}", verification::stability_summary(found, options.limit));
   if (!options.output.empty()) write_files(found, options);
   return options.check && !found.stable(options.limit) ? verdict_fail : 0;

@@ -155,7 +155,7 @@ Growth dense_growth(const LinearMap& map, bool want_mode) {
 
 Growth iterated_growth(const LinearMap& map, const GrowthSettings& settings) {
   March march{map, start_of(map.size, settings)};
-  const long most = static_cast<long>(std::ceil(2.0 * outgrown / settings.limit));
+  const long most = static_cast<long>(std::ceil(outgrown / settings.limit));
   Growth found;
   double half_size = 0.0;
   for (long next = 256; !found.settled; next *= 4) {

@@ -57,8 +57,8 @@ GrowingMode mode_of(const solver::Growth& growth, double courant, const solver::
 
 }  // namespace
 
-SceneStability scene_stability(const solver::Case& scene,
-                               const solver::CriticalSettings& settings) {
+SceneStability scene_stability(const solver::Case& scene, const solver::CriticalSettings& settings,
+                               const std::function<void()>& progress) {
   SceneStability found{};
   if (scene.discretization.scheme == solver::Scheme::staggered4) {
     read_step<solver::StaggeredSolver>(scene, found);
@@ -70,8 +70,12 @@ SceneStability scene_stability(const solver::Case& scene,
   solver::SceneGrowth growth(scene, of_growth);
   found.fast_crossing = growth.time_step(1.0);
   found.courant = found.time_step / found.fast_crossing;
-  found.critical =
-      solver::critical_step([&](double courant) { return growth.at(courant).per_step; }, settings);
+  const auto growth_at = [&](double courant) {
+    const double per_step = growth.at(courant).per_step;
+    if (progress) progress();
+    return per_step;
+  };
+  found.critical = solver::critical_step(growth_at, settings);
   found.estimates = solver::step_estimates(scene);
 
   of_growth.want_mode = true;

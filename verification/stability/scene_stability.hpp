@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,8 +36,10 @@ struct SceneStability {
   bool stable(double limit) const { return at_requested.per_step <= 1.0 + limit; }
 };
 
-/// Throws BreakdownError where the solver would, std::invalid_argument for settings out of order.
+/// `progress` (may be empty) is called after every time step that was looked at. Throws
+/// BreakdownError where the solver would, std::invalid_argument for settings out of order.
 SceneStability scene_stability(const solver::Case& scene,
-                               const solver::CriticalSettings& settings = {});
+                               const solver::CriticalSettings& settings = {},
+                               const std::function<void()>& progress = {});
 
 }  // namespace porowave::verification

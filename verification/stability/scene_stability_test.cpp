@@ -60,6 +60,14 @@ BOOST_AUTO_TEST_CASE(the_step_is_that_of_the_run) {
   BOOST_TEST(found.fast_crossing == found.estimates.fast_wave, tt::tolerance(1e-14));
 }
 
+BOOST_AUTO_TEST_CASE(progress_is_told_step_by_step) {
+  std::size_t told = 0;
+  const SceneStability found =
+      verification::scene_stability(one_point_column(0.5), {}, [&] { ++told; });
+  BOOST_TEST(told > found.critical.scan.size());
+  BOOST_TEST(told < found.critical.scan.size() + 10);
+}
+
 BOOST_AUTO_TEST_CASE(a_stable_step_is_told_from_an_unstable_one) {
   const SceneStability stable = verification::scene_stability(one_point_column(0.7));
   BOOST_TEST(stable.stable(1e-3));

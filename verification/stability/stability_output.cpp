@@ -12,7 +12,7 @@ namespace {
 std::string growth_text(const solver::Growth& growth, double limit) {
   const double rate = growth.per_step - 1.0;
   if (!growth.settled) return fmt::format("less than {:g} a step", std::max(rate, limit));
-  if (std::abs(rate) < 1e-9) return "none";
+  if (rate < 1e-9) return rate < -1e-9 ? "none, all decays" : "none";
   return fmt::format("{:.3g} a step", rate);
 }
 
