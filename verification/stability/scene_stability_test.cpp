@@ -103,6 +103,42 @@ BOOST_AUTO_TEST_CASE(the_fastest_mode_is_the_shortest_wave) {
   BOOST_TEST(largest(found.mode->quarter_later.solid_velocity) < 1e-9);
 }
 
+// Of a mode that turns slowly, what has most energy is shown at its largest.
+BOOST_AUTO_TEST_CASE(a_turning_mode_is_shown_at_its_peak) {
+  solver::Case scene;
+  scene.problem = fixtures::paper_problem();
+  scene.discretization.elements = 24;
+  scene.discretization.kernel = solver::kernel_name<solver::BSpline1>;
+  scene.discretization.support_radius = 1.0;
+  scene.discretization.placement = solver::Placement::stratified;
+  scene.discretization.seed = 4;
+  scene.time.end = 1e-5;
+  scene.time.courant = 0.1;
+  const SceneStability found = verification::scene_stability(scene);
+  BOOST_TEST_REQUIRE(found.mode.has_value());
+  BOOST_TEST_REQUIRE(found.mode->courant == found.courant);
+  BOOST_TEST((found.mode->angle > 1e-3 && found.mode->angle < 1.0));
+  const Material& m = scene.problem.material;
+  double peak = 0.0, later_there = HUGE_VAL;
+  const auto see = [&](const std::vector<double>& now, const std::vector<double>& later,
+                       double energy) {
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      const double size = std::sqrt(energy) * std::hypot(now[k], later[k]);
+      if (size <= peak) continue;
+      peak = size;
+      later_there = std::abs(later[k] / now[k]);
+    }
+  };
+  const auto& now = found.mode->fields;
+  const auto& later = found.mode->quarter_later;
+  see(now.solid_velocity, later.solid_velocity, m.solid_partial_density());
+  see(now.fluid_velocity, later.fluid_velocity, m.fluid_partial_density());
+  see(now.effective_stress, later.effective_stress, 1.0 / m.constrained_modulus);
+  see(now.pore_pressure, later.pore_pressure, 1.0 / m.storage_modulus());
+  BOOST_TEST(later_there < 1e-9);
+  BOOST_TEST(largest(later.solid_velocity) > 0.01 * largest(now.solid_velocity));
+}
+
 BOOST_AUTO_TEST_CASE(without_an_unstable_step_there_is_no_mode) {
   solver::CriticalSettings settings;
   settings.highest = 0.6;
