@@ -64,8 +64,8 @@ struct March {
   }
   void normalise() {
     const double size = x.norm();
-    log_size += std::log(size);
-    x /= size;
+    log_size += std::log(size);  // −∞ from when nothing is left
+    if (size > 0.0) x /= size;
   }
 };
 
@@ -177,7 +177,7 @@ Growth iterated_growth(const LinearMap& map, const GrowthSettings& settings) {
       if (settings.want_mode) found.mode = unit_mode(pair.vector);
     } else if (next == most) {
       const double rate = (march.log_size - half_size) / static_cast<double>(most - before);
-      found.per_step = std::exp(rate);
+      found.per_step = march.log_size == -HUGE_VAL ? 0.0 : std::exp(rate);
       break;
     }
   }

@@ -113,6 +113,7 @@ BOOST_AUTO_TEST_CASE(a_decaying_map_has_a_growth_below_one) {
   const MatrixXd matrix = 0.5 * MatrixXd::Identity(30, 30);
   BOOST_TEST(dense_growth(map_of(matrix), false).per_step == 0.5, tt::tolerance(1e-12));
   BOOST_TEST(iterated_growth(map_of(matrix), {}).per_step == 0.5, tt::tolerance(1e-12));
+  BOOST_TEST(iterated_growth(map_of(0.0 * matrix), {}).per_step == 0.0);
 }
 
 // Columns of which some are weakly unstable: the iteration must tell them apart as the dense
