@@ -26,6 +26,12 @@ StaggeredStep::StaggeredStep(const Case& scene)
   scale_.insert(scale_.end(), cells_ + 1, 1.0 / std::sqrt(m.fluid_partial_density()));
   scale_.insert(scale_.end(), cells_, std::sqrt(m.constrained_modulus));
   scale_.insert(scale_.end(), cells_, std::sqrt(m.storage_modulus()));
+  if (scene.time.order != 4) return;
+  // Rates of forces as the shortest waves have them.
+  const double rate = wave_speeds(m).p1 / spacing_;
+  for (const double density : {m.solid_partial_density(), m.fluid_partial_density()}) {
+    scale_.insert(scale_.end(), cells_ + 1, rate * rate * std::sqrt(density));
+  }
 }
 
 std::vector<double> StaggeredStep::physical(std::span<const double> state) const {

@@ -12,7 +12,7 @@ class StaggeredStep : public StepOperator {
   // Throws as StaggeredSolver.
   explicit StaggeredStep(const Case& scene);
 
-  std::size_t size() const override { return 4 * cells_ + 2; }
+  std::size_t size() const override { return scale_.size(); }
   LinearMap at(double time_step) const override;
   CarriedFields fields(std::span<const double> state) const override;
 

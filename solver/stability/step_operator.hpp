@@ -10,7 +10,8 @@
 // eigenvalue above 1.
 //
 //   galerkin     rows measured on the operators of ColumnSolver, nodal update by PreparedUpdate
-//   staggered4   StaggeredSolver itself, a step at a time
+//   staggered4   StaggeredSolver itself, a step at a time; with time_order = 4 rates of forces are
+//                part of the state as well
 //
 // States are scaled: √ρ v and σ/√E, so that the sum of squares is twice the energy per volume.
 
@@ -43,7 +44,7 @@ class StepOperator {
  public:
   virtual ~StepOperator() = default;
 
-  virtual std::size_t size() const = 0;  // of a state: four numbers a cell and two more
+  virtual std::size_t size() const = 0;  // of a state: four to six numbers a cell
   // The step over time_step > 0, s. The map keeps what it needs of this object.
   virtual LinearMap at(double time_step) const = 0;
   virtual CarriedFields fields(std::span<const double> state) const = 0;
