@@ -66,6 +66,7 @@ int run(int argc, char** argv) {
   porowave::reports::add_merge_command(program, command);
   porowave::reports::add_gate_command(program, command);
   porowave::reports::add_grade_command(program, command);
+  porowave::reports::add_stability_command(program, command);
   porowave::reports::add_demo_command(program, command);
   for (CLI::App* sub : program.get_subcommands({})) {
     sub->set_version_flag("--version", "porowave " POROWAVE_VERSION);

@@ -6,7 +6,8 @@ using namespace porowave::tests;
 
 namespace {
 
-const std::vector<std::string> commands = {"reference", "waves", "solve", "grade", "demo"};
+const std::vector<std::string> commands = {"reference", "waves",     "solve",
+                                           "grade",     "stability", "demo"};
 
 }  // namespace
 

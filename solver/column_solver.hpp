@@ -90,6 +90,11 @@ class ColumnSolver {
   // The path of the steps done so far: frozen if all of them were.
   StepPath path() const;
   long frozen_steps() const { return frozen_steps_; }
+  // What a step of a phase is made of, for the points where they are (solver/stability/).
+  const ColumnOperators& operators(Phase phase) const {
+    return *state_of(phase).prepared.operators;
+  }
+  const PhaseNodes& nodes(Phase phase) const { return state_of(phase).nodes; }
 
   // Large scenes take the threads that OpenMP offers, others one; a caller that runs many cases
   // side by side sets 1. Without OpenMP it stays at 1.
@@ -131,6 +136,7 @@ class ColumnSolver {
     std::vector<double> second;
   };
 
+  const PhaseState& state_of(Phase phase) const { return phase == Phase::solid ? solid_ : fluid_; }
   static PhaseState start(const Discretization& choice, double spacing, Phase phase,
                           double density);
   static void sort_points(PhaseState& state);

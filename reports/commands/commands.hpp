@@ -12,6 +12,7 @@ using Command = std::function<int()>;
 void add_reference_command(CLI::App& program, Command& run);
 void add_waves_command(CLI::App& program, Command& run);
 void add_solve_command(CLI::App& program, Command& run);
+void add_stability_command(CLI::App& program, Command& run);
 void add_grade_command(CLI::App& program, Command& run);
 void add_explain_command(CLI::App& program, Command& run);
 void add_sweep_command(CLI::App& program, Command& run);

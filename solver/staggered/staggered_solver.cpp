@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace porowave::solver {
 
@@ -219,6 +220,42 @@ std::optional<Breakdown> StaggeredSolver::run() {
     if (auto found = find_breakdown()) return found;
   }
   return std::nullopt;
+}
+
+std::size_t StaggeredSolver::state_size() const {
+  return 4 * cells_ + 2 + (correction_ ? 2 * cells_ + 2 : 0);
+}
+
+std::vector<double> StaggeredSolver::state() const {
+  std::vector<double> state(state_size());
+  double* next = state.data();
+  for (const PhaseLines* lines : {&solid_, &fluid_}) {
+    next = std::copy_n(lines->velocity_sum.data(), cells_ + 1, next);
+  }
+  for (const PhaseLines* lines : {&solid_, &fluid_}) {
+    next = std::copy_n(lines->stress_sum.data() + 1, cells_, next);
+  }
+  if (!correction_) return state;
+  next = std::copy_n(correction_->force_rates.solid.data(), cells_ + 1, next);
+  std::copy_n(correction_->force_rates.fluid.data(), cells_ + 1, next);
+  return state;
+}
+
+void StaggeredSolver::set_state(std::span<const double> state) {
+  if (state.size() != state_size()) {
+    throw std::invalid_argument("staggered solver: a state of the wrong length");
+  }
+  end_ = cells_ + 1;
+  const double* next = state.data();
+  const auto take = [&](std::size_t count, double* to) {
+    std::copy_n(next, count, to);
+    next += count;
+  };
+  for (PhaseLines* lines : {&solid_, &fluid_}) take(cells_ + 1, lines->velocity_sum.data());
+  for (PhaseLines* lines : {&solid_, &fluid_}) take(cells_, lines->stress_sum.data() + 1);
+  if (!correction_) return;
+  take(cells_ + 1, correction_->force_rates.solid.data());
+  take(cells_ + 1, correction_->force_rates.fluid.data());
 }
 
 Snapshot StaggeredSolver::snapshot() const {

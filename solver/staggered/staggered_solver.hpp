@@ -22,6 +22,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "solver/column_solver.hpp"
@@ -55,6 +56,15 @@ class StaggeredSolver {
   std::optional<Breakdown> run();
   // Velocities are brought to the time of the stresses by half a step, on a copy.
   Snapshot snapshot() const;
+
+  // All that a step carries to the next one: what the points hold, as solid and fluid velocities of
+  // the nodes (m/s), effective stresses and pressures of the cells (Pa); with time_order = 4 also
+  // the rates of the forces of both phases at the nodes (N/m³/s). 4 or 6 times elements, and 2 or 4
+  // more.
+  std::size_t state_size() const;
+  std::vector<double> state() const;
+  // The run goes on from there, in all nodes. Throws std::invalid_argument for a wrong length.
+  void set_state(std::span<const double> state);
 
  private:
   void reconstruct();
