@@ -32,14 +32,14 @@ function(porowave_library name)
   set_property(GLOBAL APPEND PROPERTY POROWAVE_LIBRARIES ${target})
 endfunction()
 
-# porowave_tests(room LABEL label [PROGRAM name] [OPTIMISED] STEMS a b/c ... EXTRA ... LINK ...): one Boost.Test
+# porowave_tests(room LABEL label [PROGRAM name] STEMS a b/c ... EXTRA ... LINK ...): one Boost.Test
 # program of the room's test_main.cpp and a_test.cpp, b/c_test.cpp, ...; CTest runs each file's suite (named as its stem)
-# by itself. OPTIMISED programs have work of their own to do. A suite that does not exist is an error of Boost.Test, so no file can be skipped.
+# by itself. A suite that does not exist is an error of Boost.Test, so no file can be skipped.
 function(porowave_tests room)
   if(NOT POROWAVE_TESTS)
     return()
   endif()
-  cmake_parse_arguments(ARG "OPTIMISED" "LABEL;PROGRAM" "STEMS;EXTRA;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "LABEL;PROGRAM" "STEMS;EXTRA;LINK" ${ARGN})
   set(program ${room}_tests)
   if(ARG_PROGRAM)
     set(program ${ARG_PROGRAM}_tests)
@@ -49,15 +49,10 @@ function(porowave_tests room)
     list(APPEND sources ${stem}_test.cpp)
   endforeach()
   add_executable(${program} ${sources})
-  # Half of a clean build is tests: what they time and call often is in the libraries, and most of
-  # what they read is Boost.Test.
-  if(NOT ARG_OPTIMISED)
-    target_compile_options(${program} PRIVATE
-                           $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-O1>)
-  endif()
-  target_precompile_headers(${program} PRIVATE <boost/test/unit_test.hpp>)
-  # It says which module it is before it includes the same.
-  set_source_files_properties(test_main.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  # Half of a clean build is tests; what they time and call often is in the libraries.
+  list(TRANSFORM ARG_STEMS APPEND _test.cpp OUTPUT_VARIABLE test_sources)
+  set_source_files_properties(${test_sources} PROPERTIES COMPILE_OPTIONS
+                              $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-O1>)
   target_compile_definitions(${program} PRIVATE BOOST_TEST_DYN_LINK
                              POROWAVE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${program} PRIVATE ${ARG_LINK} Boost::unit_test_framework)
