@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "reports/report/report_content.hpp"
+
+namespace porowave::reports {
+
+/// The outcome in a line: "fail: 2 fail, 6 pass" of the verdicts, or how many groups have an order.
+std::string outcome_line(const ReportContent& content);
+
+/// What a store holds: "paper: 80 cases, 78 done, 2 broke down; 16 groups".
+std::string study_line(const StudyReport& report);
+
+/// What another store changed, if one was compared: "3 better, 1 worse, 12 same".
+std::string comparison_line(const ReportContent& content);
+
+/// The report for a pull request: outcome, what changed, what failed, the best groups.
+std::string summary_markdown(const ReportContent& content);
+
+}  // namespace porowave::reports
