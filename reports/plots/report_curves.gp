@@ -6,8 +6,8 @@ set datafile missing "nan"
 count = int(panels)
 total = int(curves)
 shown = int(legend_lines)
-width = count == 1 ? 640 : 90 + 300*count
-height = 405 + 17*shown
+width = count == 1 ? 720 : 990
+height = 420 + 18*shown
 array colour[8] = ["#000000", "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", \
                    "#7F5200"]
 array shape[8] = [4, 7, 9, 5, 13, 11, 6, 8]
@@ -22,15 +22,19 @@ do for [kind in "svg png pdf"] {
     set terminal pdfcairo size width/96.0,height/96.0 enhanced font "DejaVu Sans,9.5"
   }
   set output name.".".kind
+  scale = kind eq "svg" ? 1.25 : 1.0  # sizes are in pixels there
+  size10 = sprintf(",%g", 10*scale)
+  size11 = sprintf(",%g", 11*scale)
+  size14 = sprintf(",%g", 14*scale)
   set multiplot
   set logscale xy
   set grid xtics ytics linetype 1 lw 0.6 lc rgb "#cccccc"
   set xrange [real(x_low):real(x_high)]
   set yrange [real(y_low):real(y_high)]
   set tics nomirror
-  set xtics () font ",10"
+  set xtics () font size10
   do for [i=1:words(x_tics)] { set xtics add (word(x_tics, i) real(word(x_tics, i))) }
-  step = count == 1 ? 0 : 300.0/width
+  step = 900.0/count/width
   do for [panel=1:count] {
     if (y_power eq "yes") {
       set format y (panel == 1 ? "10^{%T}" : "")
@@ -44,7 +48,7 @@ do for [kind in "svg png pdf"] {
       }
     }
     left = 75.0/width + (panel-1)*step
-    right = count == 1 ? 0.97 : left + 282.0/width
+    right = count == 1 ? 0.97 : left + step - 18.0/width
     set lmargin at screen left
     set rmargin at screen right
     set tmargin at screen 1 - 68.0/height
@@ -52,8 +56,8 @@ do for [kind in "svg png pdf"] {
     unset label
     unset arrow
     if (panel == 1) {
-      set label 1 caption at screen 0.5, 1 - 18.0/height center font ",14" noenhanced
-      set label 2 subcaption at screen 0.5, 1 - 38.0/height center font ",11" noenhanced
+      set label 1 caption at screen 0.5, 1 - 18.0/height center font size14 noenhanced
+      set label 2 subcaption at screen 0.5, 1 - 39.0/height center font size11 noenhanced
       set ylabel y_title offset 0.5,0 noenhanced
     } else {
       unset ylabel
@@ -77,8 +81,8 @@ do for [kind in "svg png pdf"] {
             dashtype 3 lw 1.5 lc rgb colour[(c-1)%8+1]
       }
     }
-    set key at screen left + (count == 1 ? 0.02 : -8.0/width), screen 1 - 388.0/height left top \
-        Left reverse noenhanced samplen 2.5 font ",10"
+    set key at screen left + (count == 1 ? 0.02 : -8.0/width), screen 1 - 398.0/height left top \
+        Left reverse noenhanced samplen 2.5 font size10
     plot for [c=1:total] name.".csv" skip 1 \
            using ($1 == panel && $2 == c ? $3 : NaN):5:6 with filledcurves \
            fillcolor rgb colour[(c-1)%8+1] \

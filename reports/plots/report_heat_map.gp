@@ -6,10 +6,10 @@ count = int(panels)
 columns = int(column_count)
 rows = int(row_count)
 cell = columns*count > 12 ? 64 : 84
-left_px = 30 + 8*int(longest_row)
+left_px = 34 + 8*int(longest_row)
 width = left_px + count*(columns*cell + 22) + 95
-width = width < 620 ? 620 : width
-height = 150 + 40*rows
+width = width < 760 ? 760 : width
+height = 160 + 40*rows
 do for [kind in "svg png pdf"] {
   if (kind eq "svg") {
     set terminal svg size width,height dynamic enhanced font "DejaVu Sans,13" background "white"
@@ -21,6 +21,11 @@ do for [kind in "svg png pdf"] {
     set terminal pdfcairo size width/96.0,height/96.0 enhanced font "DejaVu Sans,9.5"
   }
   set output name.".".kind
+  scale = kind eq "svg" ? 1.25 : 1.0  # sizes are in pixels there
+  size9 = sprintf(",%g", 9*scale)
+  size10 = sprintf(",%g", 10*scale)
+  size11 = sprintf(",%g", 11*scale)
+  size14 = sprintf(",%g", 14*scale)
   set multiplot
   set palette defined (0 "#f7fbff", 0.25 "#c6dbef", 0.5 "#6baed6", 0.75 "#2171b5", 1 "#08306b")
   set cbrange [real(c_low):real(c_high)]
@@ -34,11 +39,11 @@ do for [kind in "svg png pdf"] {
     set lmargin at screen left
     set rmargin at screen left + columns*cell/real(width)
     set tmargin at screen 1 - 85.0/height
-    set bmargin at screen 55.0/height
+    set bmargin at screen 65.0/height
     unset label
     if (panel == 1) {
-      set label 1 caption at screen 0.5, 1 - 18.0/height center font ",14" noenhanced
-      set label 2 subcaption at screen 0.5, 1 - 38.0/height center font ",11" noenhanced
+      set label 1 caption at screen 0.5, 1 - 18.0/height center font size14 noenhanced
+      set label 2 subcaption at screen 0.5, 1 - 38.0/height center font size11 noenhanced
     }
     set label 3 value(sprintf("title%d", panel)) at graph 0.5, screen 1 - 70.0/height center \
         noenhanced
@@ -51,10 +56,10 @@ do for [kind in "svg png pdf"] {
       do for [i=1:rows] { set ytics add (value(sprintf("row%d", i)) i) }
     }
     if (panel == count) {
-      set colorbox user origin screen left + (columns*cell + 14.0)/width, screen 55.0/height \
-          size screen 12.0/width, screen (height - 140.0)/height
-      set cblabel c_title offset 0.5,0 font ",10" noenhanced
-      set cbtics () font ",10"
+      set colorbox user origin screen left + (columns*cell + 14.0)/width, screen 65.0/height \
+          size screen 12.0/width, screen (height - 150.0)/height
+      set cblabel c_title offset 0.5,0 font size10 noenhanced
+      set cbtics () font size10
       do for [e=-12:2] {
         do for [m in "1 2 5"] {
           set cbtics add (sprintf("%g", int(m)*10.0**e) log10(int(m)*10.0**e))
@@ -66,9 +71,9 @@ do for [kind in "svg png pdf"] {
     plot name.".csv" skip 1 using ($1 == panel ? $2 : NaN):3:($2-0.49):($2+0.49):($3-0.48):($3+0.48):4 \
            with boxxyerror fillstyle solid 1.0 noborder linecolor palette, \
          name.".csv" skip 1 using ($1 == panel ? $2 : NaN):($3-0.17):(strcol(6)):5 with labels \
-           noenhanced font ",10" textcolor rgb variable, \
+           noenhanced font size10 textcolor rgb variable, \
          name.".csv" skip 1 using ($1 == panel ? $2 : NaN):($3+0.2):(strcol(7)):5 with labels \
-           noenhanced font ",9" textcolor rgb variable
+           noenhanced font size9 textcolor rgb variable
   }
   unset multiplot
   unset output

@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(keys_that_change_together_are_one_axis) {
   const auto table = case_tables(rows).front();
   BOOST_REQUIRE(table.axes.size() == 2u);
   BOOST_TEST(table.axes[0].title == "method");
-  BOOST_TEST(table.axes[0].values[1] == "kernel bspline2, support_radius 1.5");
+  BOOST_TEST(table.axes[0].values[1] == "bspline2, support_radius 1.5");
   BOOST_TEST(!table.axes[0].of_problem);
   BOOST_TEST(table.axes[1].title == "shape");
   BOOST_TEST(table.axes[1].of_problem);

@@ -20,12 +20,13 @@ std::vector<std::size_t> groups_in(const StudyTable& table, const FigureAxes& ax
   return groups;
 }
 
-Curve convergence_curve(const FigureInput& input, std::size_t g, const std::string& value) {
+Curve convergence_curve(const FigureInput& input, std::size_t g, const std::string& value,
+                        std::size_t room) {
   const GroupSummary& summary = input.summaries[g];
   Curve curve;
   curve.name = input.table.groups[g].name;
   const std::string order = order_text(summary.order);
-  curve.legend = value.empty() ? order : shortened(value, legend_width - 16) + ": " + order;
+  curve.legend = value.empty() ? order : shortened(value, room - 16) + ": " + order;
   curve.floor = std::isfinite(summary.order.floor) ? summary.order.floor : 0.0;
   for (const LevelSummary& level : summary.levels) {
     if (level.ended > 0)
@@ -59,15 +60,19 @@ std::string level_phrase(const StudyTable& table, const LevelSummary& level) {
 }
 
 /// Best and worst group in words.
-std::string extremes_claim(const FigureInput& input, const std::vector<std::size_t>& groups) {
+std::string extremes_claim(const FigureInput& input, const FigureAxes& axes,
+                           const std::vector<std::size_t>& groups) {
+  std::vector<std::size_t> shown_axes;
+  if (axes.curve) shown_axes.push_back(*axes.curve);
+  if (axes.panel) shown_axes.push_back(*axes.panel);
   const auto best = extreme_group(input.summaries, groups, false);
   const auto worst = extreme_group(input.summaries, groups, true);
   if (!best) return "No group has an error for all cases of its finest level.";
   const auto described_group = [&](std::size_t g) {
     const GroupSummary& s = input.summaries[g];
-    return fmt::format("{}, with {:.2g} at {} (order: {})", input.table.groups[g].name,
-                       s.finest_error(), level_phrase(input.table, s.finest()),
-                       order_text(s.order));
+    return fmt::format("{}, with {:.2g} at {} (order: {})",
+                       name_on(input.table, shown_axes, input.table.groups[g]), s.finest_error(),
+                       level_phrase(input.table, s.finest()), order_text(s.order));
   };
   std::string text = "Smallest error: " + described_group(*best) + ".";
   if (*worst != *best) text += " Largest: " + described_group(*worst) + ".";
@@ -90,7 +95,7 @@ std::string short_claim(const FigureInput& input, const FigureAxes& axes,
                                    ? fmt::format(", order {:.2f}", order.order)
                                    : fmt::format(" ({})", order_text(order));
   return name.empty() ? "Convergence" + of_order
-                      : shortened("Smallest error: " + name, 70) + of_order;
+                      : shortened("Smallest error: " + name, 58) + of_order;
 }
 
 ReportFigure convergence_figure_of(const FigureInput& input, const FigureAxes& axes,
@@ -104,8 +109,10 @@ ReportFigure convergence_figure_of(const FigureInput& input, const FigureAxes& a
   const std::size_t seeds = most_seeds(input.summaries, groups);
   const std::string how =
       seeds > 1 ? fmt::format("mean and range of {} seeds, dotted: floor", seeds) : "dotted: floor";
-  add_text(figure, "caption", short_claim(input, axes, groups));
-  add_text(figure, "subcaption", shortened(where.empty() ? how : where + " · " + how, 130));
+  const TextRoom room = text_room(range.count);
+  add_text(figure, "caption", shortened(short_claim(input, axes, groups), room.title));
+  add_text(figure, "subcaption",
+           shortened(where.empty() ? how : where + " · " + how, room.subtitle));
   for (const std::size_t g : groups) {
     for (const LevelSummary& level : input.summaries[g].levels) {
       scales.y.see(level.low);
@@ -119,7 +126,7 @@ ReportFigure convergence_figure_of(const FigureInput& input, const FigureAxes& a
     const TableGroup& group = input.table.groups[g];
     const std::size_t c = place_on(group, axes.curve);
     curves[{place_on(group, axes.panel) - range.first, c}] =
-        convergence_curve(input, g, value_on(input.table, axes.curve, c));
+        convergence_curve(input, g, value_on(input.table, axes.curve, c), room.legend);
   }
   add_curves(figure, curves, range.count, size_of(input.table, axes.curve));
   for (std::size_t p = 0; p < range.count; ++p) {
@@ -129,7 +136,7 @@ ReportFigure convergence_figure_of(const FigureInput& input, const FigureAxes& a
     }
     add_text(figure, fmt::format("triangle{}", p + 1), triangle(input, in_panel));
   }
-  result.claim = (where.empty() ? "" : where + ": ") + extremes_claim(input, groups);
+  result.claim = (where.empty() ? "" : where + ": ") + extremes_claim(input, axes, groups);
   result.alt = fmt::format("Error against element length on logarithmic axes, {} curves. {}",
                            groups.size(), result.claim);
   return result;

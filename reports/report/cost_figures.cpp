@@ -39,7 +39,8 @@ Curves cost_curves(const FigureInput& input, const FigureAxes& axes, const Panel
   for (const auto& [place, by_level] : costs) {
     Curve& curve = curves[place];
     curve.name = value_on(input.table, axes.curve, place.second);
-    curve.legend = shortened(curve.name.empty() ? "all cases" : curve.name, legend_width);
+    curve.legend =
+        shortened(curve.name.empty() ? "all cases" : curve.name, text_room(range.count).legend);
     for (const auto& [spacing, level] : by_level) {
       curve.points.push_back({median_of(level.points), median_of(level.ns),
                               *std::min_element(level.ns.begin(), level.ns.end()),
@@ -92,7 +93,8 @@ std::vector<ReportFigure> cost_figures(const FigureInput& input) {
                         cost_claim(curves),
                         {}};
     add_text(result.figure, "caption",
-             shortened(result.claim.substr(0, result.claim.find(". CPU")), 90));
+             shortened(result.claim.substr(0, result.claim.find(". CPU")),
+                       text_room(range.count).title));
     add_text(result.figure, "subcaption", "median over all other keys, band: smallest to largest");
     add_scales(result.figure, scales);
     add_panel_titles(result.figure, input.table, axes, range);

@@ -29,6 +29,11 @@ std::string tics_text(std::vector<double> tics) {
 
 }  // namespace
 
+TextRoom text_room(std::size_t panels) {
+  if (panels == 1) return {80, 72, 95};
+  return {panels == 2 ? std::size_t{52} : std::size_t{34}, 100, 130};
+}
+
 void add_scales(Figure& figure, const CurveScales& scales) {
   add_text(figure, "x_title", scales.x_title);
   add_text(figure, "y_title", scales.y_title);
@@ -82,7 +87,8 @@ void add_panel_titles(Figure& figure, const StudyTable& table, const FigureAxes&
   for (std::size_t p = 0; p < range.count; ++p) {
     const std::string value = value_on(table, axes.panel, range.first + p);
     add_text(figure, fmt::format("title{}", p + 1),
-             axes.panel ? shortened(table.axes[*axes.panel].title + " = " + value, legend_width)
+             axes.panel ? shortened(table.axes[*axes.panel].title + " = " + value,
+                                    text_room(range.count).legend)
                         : std::string());
   }
 }

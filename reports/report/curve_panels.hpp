@@ -11,7 +11,14 @@
 
 namespace porowave::reports {
 
-inline constexpr std::size_t legend_width = 40;  ///< characters
+/// How many characters there is room for, by the number of panels: in a legend, in the title, in
+/// the line below it.
+struct TextRoom {
+  std::size_t legend;
+  std::size_t title;
+  std::size_t subtitle;
+};
+TextRoom text_room(std::size_t panels);
 
 inline constexpr std::size_t most_tics = 6;
 

@@ -85,6 +85,13 @@ std::string described(const StudyTable& table, const std::vector<std::size_t>& a
   return text;
 }
 
+std::string name_on(const StudyTable& table, const std::vector<std::size_t>& axes,
+                    const TableGroup& group) {
+  std::vector<std::size_t> at;
+  for (const std::size_t a : axes) at.push_back(group.at[a]);
+  return axes.empty() ? "all cases" : described(table, axes, at);
+}
+
 std::size_t place_on(const TableGroup& group, std::optional<std::size_t> axis) {
   return axis ? group.at[*axis] : 0;
 }

@@ -23,6 +23,10 @@ std::vector<std::size_t> problem_axes(const StudyTable& table);
 std::string described(const StudyTable& table, const std::vector<std::size_t>& axes,
                       const std::vector<std::size_t>& at);
 
+/// A group's name by some of its axes; "all cases" without any.
+std::string name_on(const StudyTable& table, const std::vector<std::size_t>& axes,
+                    const TableGroup& group);
+
 /// Value of a group on an axis that a figure may not have: then 0, "".
 std::size_t place_on(const TableGroup& group, std::optional<std::size_t> axis);
 std::size_t size_of(const StudyTable& table, std::optional<std::size_t> axis);

@@ -83,8 +83,10 @@ std::vector<GroupSummary> summaries_of(const StudyTable& table, std::size_t meas
 
 std::string order_text(const verification::OrderEstimate& order) {
   switch (order.status) {
-    case OrderStatus::observed:
-      return fmt::format("{:.2f} ± {:.2f}", order.order, 0.5 * (order.high - order.low));
+    case OrderStatus::observed: {
+      const double half = 0.5 * (order.high - order.low);
+      return fmt::format("{0:.{2}f} ± {1:.{2}f}", order.order, half, half < 0.005 ? 3 : 2);
+    }
     case OrderStatus::at_floor:
       return fmt::format("at floor {:.2g}", order.floor);
     case OrderStatus::too_few_levels:

@@ -31,7 +31,7 @@ BOOST_AUTO_TEST_CASE(means_ranges_and_orders_of_made_up_errors) {
     BOOST_TEST(summaries[g].ended == 12u);
     BOOST_TEST(summaries[g].finest_error() == finest.error);
   }
-  BOOST_TEST(order_text(summaries[3].order) == "2.00 ± 0.00");
+  BOOST_TEST(order_text(summaries[3].order) == "2.000 ± 0.000");
 }
 
 BOOST_AUTO_TEST_CASE(a_broken_case_leaves_no_error_of_its_group) {

@@ -69,7 +69,7 @@ double share(double log_error, double low, double high) {
 
 std::string cell(const FigureInput& input, std::size_t g, const MapAxes& axes, double low,
                  double high) {
-  constexpr double dark = 0.55;
+  constexpr double dark = 0.72;  // there black and white have the same contrast
   const TableGroup& group = input.table.groups[g];
   const GroupSummary& summary = input.summaries[g];
   const double error = summary.finest_error();
@@ -111,15 +111,21 @@ void add_names(Figure& figure, const StudyTable& table, const MapAxes& axes) {
   add_text(figure, "x_title", table.axes[axes.column].title);
 }
 
-std::string claim_of(const FigureInput& input, const FigurePart& part, const std::string& where) {
+std::string claim_of(const FigureInput& input, const MapAxes& axes, const FigurePart& part,
+                     const std::string& where) {
+  std::vector<std::size_t> shown_axes = {axes.row, axes.column};
+  if (axes.panel) shown_axes.push_back(*axes.panel);
+  const auto cell_name = [&](std::size_t g) {
+    return name_on(input.table, shown_axes, input.table.groups[g]);
+  };
   const auto best = extreme_group(input.summaries, part.groups, false);
   const auto worst = extreme_group(input.summaries, part.groups, true);
   std::string text = where.empty() ? "" : where + ": ";
   if (!best) return text + "no group has an error for all cases of its finest level.";
   text += fmt::format(
       "at the finest level {} has the smallest error ({:.2g}), {} the largest ({:.2g}).",
-      input.table.groups[*best].name, input.summaries[*best].finest_error(),
-      input.table.groups[*worst].name, input.summaries[*worst].finest_error());
+      cell_name(*best), input.summaries[*best].finest_error(), cell_name(*worst),
+      input.summaries[*worst].finest_error());
   const auto broken = std::count_if(part.groups.begin(), part.groups.end(), [&](std::size_t g) {
     return std::isnan(input.summaries[g].finest_error());
   });
@@ -155,7 +161,7 @@ ReportFigure figure_of(const FigureInput& input, const MapAxes& axes, const Figu
   add_text(figure, "c_title", "relative error (–)");
   add_text(figure, "c_low", real_text(low));
   add_text(figure, "c_high", real_text(high));
-  result.claim = claim_of(input, part, where);
+  result.claim = claim_of(input, axes, part, where);
   result.alt = fmt::format("Table of cells coloured by error, rows: {}, columns: {}. {}",
                            input.table.axes[axes.row].title, input.table.axes[axes.column].title,
                            result.claim);

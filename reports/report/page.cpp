@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 
@@ -25,14 +26,27 @@ std::string file_text(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
+/// Width and height in pixels as attributes; gnuplot's "dynamic" pictures have them in viewBox
+/// only.
+std::string size_attributes(const std::string& svg) {
+  const auto at = svg.find("viewBox=\"0 0 ");
+  int width = 0;
+  int height = 0;
+  if (at == std::string::npos ||
+      std::sscanf(svg.c_str() + at, "viewBox=\"0 0 %d %d\"", &width, &height) != 2) {
+    return "";
+  }
+  return fmt::format(" width=\"{}\" height=\"{}\"", width, height);
+}
+
 std::string figure_html(const ReportFigure& figure, const fs::path& directory) {
   const std::string& name = figure.figure.name;
-  const std::string picture = base64(file_text(directory / (name + ".svg")));
+  const std::string svg = file_text(directory / (name + ".svg"));
   std::string text = fmt::format(
       "<figure id=\"figure_{0}\"><div class=\"scroll\" tabindex=\"0\" role=\"region\" "
-      "aria-label=\"Figure {0}\"><img alt=\"{1}\" src=\"data:image/svg+xml;base64,{2}\"></div>\n"
-      "<figcaption>{3} <span class=\"files\">",
-      name, html_text(figure.alt), picture, html_text(figure.claim));
+      "aria-label=\"Figure {0}\"><img alt=\"{1}\"{2} src=\"data:image/svg+xml;base64,{3}\"></div>\n"
+      "<figcaption>{4} <span class=\"files\">",
+      name, html_text(figure.alt), size_attributes(svg), base64(svg), html_text(figure.claim));
   for (const auto& [ending, title] :
        {std::pair("svg", "SVG"), std::pair("pdf", "PDF"), std::pair("png", "PNG"),
         std::pair("gp", "script"), std::pair("csv", "data")}) {

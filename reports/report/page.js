@@ -67,10 +67,9 @@
     entry('ns a point and step', one[6]);
     const command = data.rerun + one[0];
     dialog.replaceChildren(
-      element('h2', 'Case ' + one[0], { id: 'case_title', class: 'id' }), list,
+      close, element('h2', 'Case ' + one[0], { id: 'case_title', class: 'id' }), list,
       element('h3', 'Run it again'), element('pre', command, { tabindex: '0' }),
-      element('h3', 'Specification'), element('pre', specification(group, one), { tabindex: '0' }),
-      close);
+      element('h3', 'Specification'), element('pre', specification(group, one), { tabindex: '0' }));
     history.replaceState(null, '', '#case-' + one[0]);
     if (!dialog.open) dialog.showModal();
     close.focus();

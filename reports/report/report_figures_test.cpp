@@ -76,8 +76,8 @@ BOOST_AUTO_TEST_CASE(convergence_shows_every_level_and_the_order) {
   const Figure& figure = figures[0].figure;
   BOOST_TEST(lines_of(figure.data).size() == 1u + 4u * 4u);
   BOOST_TEST(contains(figure.data, "\n1,1,0.004,2.0000e-01,1.8097e-01,2.2103e-01,"));
-  BOOST_TEST(text(figure, "legend_1_1") == "bspline1: 1.00 ± 0.00");
-  BOOST_TEST(text(figure, "legend_2_2") == "bspline2: 2.00 ± 0.00");
+  BOOST_TEST(text(figure, "legend_1_1") == "bspline1: 1.000 ± 0.000");
+  BOOST_TEST(text(figure, "legend_2_2") == "bspline2: 2.000 ± 0.000");
   BOOST_TEST(text(figure, "floor_1_1") == "");
   BOOST_TEST(text(figure, "title2") == "support_radius = 3.0");
   BOOST_TEST(text(figure, "x_tics") == "0.0005 0.001 0.002 0.004 ");
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(convergence_shows_every_level_and_the_order) {
   BOOST_TEST(error < 0.2 * std::pow(h / 0.004, 2.0));
   BOOST_TEST(contains(figures[0].claim,
                       "Smallest error: kernel = bspline2, support_radius = 2.0, "
-                      "with 0.0031 at elements = 200 (order: 2.00 ± 0.00)"));
+                      "with 0.0031 at elements = 200 (order: 2.000 ± 0.000)"));
   BOOST_TEST(contains(figures[0].claim, "Largest: kernel = bspline1, support_radius = 3.0"));
 }
 

@@ -40,7 +40,8 @@ inline verification::Record row(const MadeCase& made, double error,
   verification::Record record;
   record.specification = made.specification();
   record.study = study;
-  record.id = fmt::format("{:032x}", std::hash<std::string>()(study + record.specification));
+  record.id =
+      fmt::format("{0:016x}{0:016x}", std::hash<std::string>()(study + record.specification));
   record.steps = made.elements;
   record.points = 8 * made.elements;
   record.measures.assign(verification::measure_names().size(), error);

@@ -67,16 +67,22 @@ std::vector<std::vector<std::size_t>> sets_of(const std::vector<Varying>& keys) 
   return sets;
 }
 
-/// "transfer shape, kernel gimp": of a method only what it sets.
+/// "shape, gimp", "bspline2, flip 0.99": of a method only what it sets, the words that say most
+/// first and without their keys.
 std::string method_name(const std::vector<Varying>& keys, const std::vector<std::size_t>& set,
                         std::size_t i) {
-  std::string text;
+  std::string words;
+  std::string others;
   for (const std::size_t k : set) {
     const std::string& value = keys[k].values[keys[k].of_case[i]];
     if (value == none) continue;
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", short_name(keys[k].key), value);
+    const std::string key = short_name(keys[k].key);
+    const bool speaks = key == "scheme" || key == "transfer" || key == "kernel";
+    std::string& text = speaks ? words : others;
+    text += (text.empty() ? "" : ", ") + (speaks ? value : key + " " + value);
   }
-  return text.empty() ? none : text;
+  if (words.empty() && others.empty()) return none;
+  return words.empty() || others.empty() ? words + others : words + ", " + others;
 }
 
 Varying combined(const std::vector<Varying>& keys, const std::vector<std::size_t>& set) {
