@@ -94,6 +94,9 @@ std::string verdict_html(const ReportContent& content) {
   std::string text =
       fmt::format("<h2 id=\"verdicts\">Verdicts</h2>\n<p class=\"outcome {}\">{}</p>\n",
                   outcome_class(content), html_text(outcome_line(content)));
+  if (const std::string note = build_note(content); !note.empty()) {
+    text += fmt::format("<p>{}</p>\n", html_text(note));
+  }
   if (content.comparison) {
     text += fmt::format("<p>Compared with {}: {}.</p>\n", html_text(content.comparison->after),
                         html_text(comparison_line(content)));

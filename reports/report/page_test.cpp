@@ -195,6 +195,18 @@ BOOST_AUTO_TEST_CASE(an_empty_store_says_how_to_fill_it) {
   BOOST_TEST(contains(summary_markdown(made.content()), "the store holds no cases"));
 }
 
+BOOST_AUTO_TEST_CASE(a_store_of_another_build_is_told_from_missing_cases) {
+  ReportContent content;
+  verification::Provenance other = verification::current_provenance();
+  other.numerics = "other";
+  content.provenance = {other};
+  BOOST_TEST(build_note(content) == "");  // nothing is judged
+  content.verdicts.emplace();
+  BOOST_TEST(contains(build_note(content), "other numerics"));
+  content.provenance.push_back(verification::current_provenance());
+  BOOST_TEST(build_note(content) == "");
+}
+
 BOOST_AUTO_TEST_CASE(the_summary_counts_what_there_is) {
   auto rows = full_study();
   rows[0] = broken(rows[0]);

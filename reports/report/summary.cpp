@@ -7,6 +7,7 @@
 #include <map>
 
 #include "reports/report/text_forms.hpp"
+#include "verification/study/build_identity.hpp"
 
 namespace porowave::reports {
 
@@ -91,12 +92,24 @@ std::string comparison_line(const ReportContent& content) {
                             content.comparison->only_before, content.comparison->only_after);
 }
 
+std::string build_note(const ReportContent& content) {
+  const auto& builds = content.provenance;
+  const bool foreign =
+      std::none_of(builds.begin(), builds.end(), [](const verification::Provenance& p) {
+        return p.numerics == verification::numerics_hash();
+      });
+  if (!content.verdicts || builds.empty() || !foreign) return "";
+  return "The cases of this store were run by builds with other numerics than this program's, so "
+         "the verdicts do not find them: judge with the program that ran them, or sweep again.";
+}
+
 std::string summary_markdown(const ReportContent& content) {
   std::string text =
       fmt::format("## porowave report\n\n**{}**\n\n", markdown_text(outcome_line(content)));
   for (const StudyReport& study : content.studies) {
     text += fmt::format("- {}\n", markdown_text(study_line(study)));
   }
+  if (const std::string note = build_note(content); !note.empty()) text += "- " + note + "\n";
   if (content.comparison) {
     text += fmt::format("- compared with {}: {}\n", markdown_text(content.comparison->after),
                         comparison_line(content));
