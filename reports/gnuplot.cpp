@@ -24,9 +24,14 @@ void require_plain_name(const std::string& name) {
   }
 }
 
+const char* data_ending(const Figure& figure) {
+  return figure.for_paper ? ".csv" : ".dat";
+}
+
 std::string script_of(const Figure& figure) {
-  std::string script = fmt::format(
-      "# Run: gnuplot {0}.gp   (reads {0}.dat, writes {0}.svg and {0}.png)\n", figure.name);
+  std::string script =
+      fmt::format("# Run: gnuplot {0}.gp   (reads {0}{1}, writes {0}.svg and {0}.png{2})\n",
+                  figure.name, data_ending(figure), figure.for_paper ? " and the PDF" : "");
   script += fmt::format("name = {}\n", gnuplot_string(figure.name));
   for (const auto& [variable, text] : figure.texts) {
     script += fmt::format("{} = {}\n", variable, gnuplot_string(text));
@@ -64,14 +69,16 @@ std::vector<fs::path> draw(const Figure& figure, const fs::path& directory) {
   require_plain_name(figure.name);
   const std::string script = script_of(figure);
   std::vector<fs::path> files;
-  for (const char* ending : {".svg", ".png", ".gp", ".dat"}) {
+  for (const char* ending : {".svg", ".png", ".gp", data_ending(figure)}) {
     files.push_back(directory / (figure.name + ending));
   }
+  if (figure.for_paper) files.push_back(directory / (figure.name + ".pdf"));
   try {
     write_file(files[3], figure.data);
     write_file(files[2], script);
     const ProcessResult result = run_process({"gnuplot", "-d", figure.name + ".gp"}, directory);
-    const bool complete = fs::exists(files[0]) && fs::exists(files[1]);
+    const bool complete = std::all_of(files.begin(), files.end(),
+                                      [](const fs::path& file) { return fs::exists(file); });
     if (result.exit_code == 0 && complete) return files;
     throw EnvironmentError(fmt::format("gnuplot failed (exit code {}) on figure {}: {}",
                                        result.exit_code, figure.name, result.errors));

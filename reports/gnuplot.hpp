@@ -15,9 +15,11 @@ struct Figure {
   /// Gnuplot string variables that the template uses; values are escaped here.
   std::vector<std::pair<std::string, std::string>> texts;
   std::string data;  ///< contents of <name>.dat
+  /// A figure of a report: its data is a table, <name>.csv, and it is drawn as <name>.pdf as well.
+  bool for_paper = false;
 };
 
-/// Writes data and script, runs gnuplot, and returns the files written (svg, png, gp, dat).
+/// Writes data and script, runs gnuplot, and returns the files written (svg, png, gp, data, pdf).
 /// Throws EnvironmentError if gnuplot is missing or fails; then nothing of the figure is left.
 std::vector<std::filesystem::path> draw(const Figure& figure,
                                         const std::filesystem::path& directory);

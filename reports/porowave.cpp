@@ -65,6 +65,7 @@ int run(int argc, char** argv) {
   porowave::reports::add_sweep_command(program, command);
   porowave::reports::add_merge_command(program, command);
   porowave::reports::add_gate_command(program, command);
+  porowave::reports::add_report_command(program, command);
   porowave::reports::add_grade_command(program, command);
   porowave::reports::add_stability_command(program, command);
   porowave::reports::add_demo_command(program, command);

@@ -6,8 +6,8 @@ using namespace porowave::tests;
 
 namespace {
 
-const std::vector<std::string> commands = {"reference", "waves",     "solve",
-                                           "grade",     "stability", "demo"};
+const std::vector<std::string> commands = {"reference", "waves",     "solve", "grade",
+                                           "report",    "stability", "demo"};
 
 }  // namespace
 
@@ -53,6 +53,8 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_explained_in_one_line) {
   refused({"reference", paper_problem, "--t", "0"}, {"--x is required"});
   refused({"reference", "--x", "0", "--t", "0"}, {"problem is required"});
   refused({"waves"}, {"problem is required", "porowave waves --help"});
+  refused({"report", "--output", "there"}, {"store is required", "porowave report --help"});
+  refused({"report", "results"}, {"--output is required"});
   refused({"demo", "there"}, {"there"});
   BOOST_TEST(folder.contents() == "");
 }

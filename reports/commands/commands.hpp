@@ -18,6 +18,7 @@ void add_explain_command(CLI::App& program, Command& run);
 void add_sweep_command(CLI::App& program, Command& run);
 void add_merge_command(CLI::App& program, Command& run);
 void add_gate_command(CLI::App& program, Command& run);
+void add_report_command(CLI::App& program, Command& run);
 void add_demo_command(CLI::App& program, Command& run);
 
 }  // namespace porowave::reports

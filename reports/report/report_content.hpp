@@ -1,0 +1,65 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/report/comparison.hpp"
+#include "reports/report/report_figures.hpp"
+#include "reports/report/result_table.hpp"
+#include "verification/gate/verdict.hpp"
+#include "verification/store/record.hpp"
+
+namespace porowave::reports {
+
+/// What a report is asked for.
+struct ReportOptions {
+  std::string store;
+  std::string output;
+  std::string study;     ///< its file, for verdicts; empty: none are given
+  std::string baseline;  ///< of these verdicts; may be empty
+  std::string compare;   ///< another store, "after"; empty: none
+  std::string measure;   ///< what figures show; empty: L2 of effective stress
+};
+
+/// One study of the store.
+struct StudyReport {
+  StudyTable table;
+  std::size_t measure = 0;                           ///< that of the figures
+  std::vector<std::size_t> measures;                 ///< that and the L2 errors of the other fields
+  std::vector<std::vector<GroupSummary>> summaries;  ///< [measure][group]
+  std::vector<ReportFigure> figures;
+  std::array<std::size_t, verification::case_status_names.size()> by_status{};
+};
+
+/// All that a report shows, before it has a form.
+struct ReportContent {
+  ReportOptions options;
+  std::vector<StudyReport> studies;
+  std::vector<verification::Provenance> provenance;
+  std::optional<std::vector<verification::Verdict>> verdicts;
+  std::string judged_study;  ///< name of the study that the verdicts are of
+  std::optional<Comparison> comparison;
+};
+
+/// Reads stores, study and baseline. Writes nothing. Throws InputError and EnvironmentError.
+ReportContent read_report(const ReportOptions& options);
+
+/// The groups of a study: values, errors at the finest level, order, cost; one row a group.
+ResultTable groups_table(const ReportContent& content, std::size_t study);
+/// Verdicts, those that somebody must look at first.
+ResultTable verdicts_table(const ReportContent& content);
+/// Cases that did not end, by reason.
+ResultTable failures_table(const ReportContent& content);
+/// Every case; only as a file.
+ResultTable cases_table(const ReportContent& content, std::size_t study);
+ResultTable comparison_table(const ReportContent& content);
+ResultTable provenance_table(const ReportContent& content);
+/// Pareto fronts of the problems of a study.
+ResultTable front_table(const ReportContent& content, std::size_t study);
+
+/// All tables for the page and the files, in their order; empty ones are left out.
+std::vector<ResultTable> tables_of(const ReportContent& content);
+
+}  // namespace porowave::reports

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "verification/store/record.hpp"
+
+namespace porowave::reports::fixtures {
+
+/// A name with all that HTML, JSON, gnuplot, LaTeX and shells take for more than a letter, of 200
+/// characters.
+inline std::string nasty_name() {
+  std::string name = R"(<b>"R" & 'D'</script> \n {x_1^2} $#% `|~@ )";
+  name.resize(200, 'z');
+  return name;
+}
+
+struct MadeCase {
+  std::string kernel = "bspline1";
+  double support_radius = 2.0;
+  std::string shape = "step";
+  int elements = 50;
+  int seed = 1;
+
+  std::string specification() const {
+    return fmt::format(
+        "[column]\nlength = 0.1\n[load]\nshape = \"{}\"\n[discretization]\nelements = {}\nkernel = "
+        "\"{}\"\nseed = {}\nsupport_radius = {:#.6g}\n[time]\nend = 1e-05\n",
+        shape, elements, kernel, seed, support_radius);
+  }
+};
+
+/// A row of which all errors are the same.
+inline verification::Record row(const MadeCase& made, double error,
+                                const std::string& study = "trial") {
+  verification::Record record;
+  record.specification = made.specification();
+  record.study = study;
+  record.id =
+      fmt::format("{0:016x}{0:016x}", std::hash<std::string>()(study + record.specification));
+  record.steps = made.elements;
+  record.points = 8 * made.elements;
+  record.measures.assign(verification::measure_names().size(), error);
+  record.cpu_seconds = 1e-8 * static_cast<double>(record.steps * record.points);
+  record.provenance = "p";
+  return record;
+}
+
+/// Ended by a breakdown, with numbers in it that must not count.
+inline verification::Record broken(verification::Record record) {
+  record.status = verification::CaseStatus::broke_down;
+  record.reason = "step 7: <it> broke \"down\"";
+  return record;
+}
+
+/// Kernels of first and second order, two radii, three seeds, four levels: errors C h^p e^(± 0.1).
+inline std::vector<verification::Record> full_study(const std::string& study = "trial") {
+  std::vector<verification::Record> rows;
+  for (const std::string kernel : {"bspline1", "bspline2"}) {
+    for (const double radius : {2.0, 3.0}) {
+      for (int seed = 1; seed <= 3; ++seed) {
+        for (const int elements : {25, 50, 100, 200}) {
+          const double order = kernel == "bspline1" ? 1.0 : 2.0;
+          const double error = 0.1 * radius * std::pow(25.0 / elements, order);
+          rows.push_back(row({kernel, radius, "step", elements, seed},
+                             error * std::exp(0.1 * (seed - 2)), study));
+        }
+      }
+    }
+  }
+  return rows;
+}
+
+}  // namespace porowave::reports::fixtures
