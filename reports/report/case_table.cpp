@@ -123,6 +123,7 @@ std::vector<StudyTable> case_tables(std::vector<Record> rows, const CaseTableOpt
   std::map<std::string, std::vector<Record>> by_study;
   for (Record& row : rows) by_study[row.study].push_back(std::move(row));
   std::vector<StudyTable> tables;
+  tables.reserve(by_study.size());
   for (auto& [study, of_study] : by_study) tables.push_back(table_of(std::move(of_study), options));
   return tables;
 }

@@ -57,12 +57,14 @@ std::vector<FigurePart> parts_of(const StudyTable& table, const std::vector<std:
   std::map<std::vector<std::size_t>, FigurePart> parts;
   for (std::size_t g = 0; g < table.groups.size(); ++g) {
     std::vector<std::size_t> at;
+    at.reserve(axes.size());
     for (const std::size_t a : axes) at.push_back(table.groups[g].at[a]);
     FigurePart& part = parts[at];
     part.at = at;
     part.groups.push_back(g);
   }
   std::vector<FigurePart> result;
+  result.reserve(parts.size());
   for (auto& [at, part] : parts) result.push_back(std::move(part));
   return result;
 }
@@ -88,6 +90,7 @@ std::string described(const StudyTable& table, const std::vector<std::size_t>& a
 std::string name_on(const StudyTable& table, const std::vector<std::size_t>& axes,
                     const TableGroup& group) {
   std::vector<std::size_t> at;
+  at.reserve(axes.size());
   for (const std::size_t a : axes) at.push_back(group.at[a]);
   return axes.empty() ? "all cases" : described(table, axes, at);
 }

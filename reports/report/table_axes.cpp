@@ -79,7 +79,7 @@ std::string method_name(const std::vector<Varying>& keys, const std::vector<std:
     const std::string key = short_name(keys[k].key);
     const bool speaks = key == "scheme" || key == "transfer" || key == "kernel";
     std::string& text = speaks ? words : others;
-    text += (text.empty() ? "" : ", ") + (speaks ? value : key + " " + value);
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", speaks ? value : key + " " + value);
   }
   if (words.empty() && others.empty()) return none;
   return words.empty() || others.empty() ? words + others : words + ", " + others;

@@ -64,7 +64,7 @@ std::string html_text(std::string_view text) {
   return each(text, html_character);
 }
 
-std::string json_in_html(std::string json) {
+std::string json_in_html(const std::string& json) {
   std::string result;
   for (const char c : json) {
     if (c == '<') {

@@ -10,7 +10,7 @@ namespace porowave::reports {
 std::string html_text(std::string_view text);
 
 /// JSON that may stand in an element <script> of HTML: no "<" is left in it. `json` is valid JSON.
-std::string json_in_html(std::string json);
+std::string json_in_html(const std::string& json);
 
 /// One field of CSV (RFC 4180): in quotes if it must be.
 std::string csv_field(std::string_view text);
