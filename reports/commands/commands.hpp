@@ -15,6 +15,7 @@ void add_solve_command(CLI::App& program, Command& run);
 void add_grade_command(CLI::App& program, Command& run);
 void add_explain_command(CLI::App& program, Command& run);
 void add_sweep_command(CLI::App& program, Command& run);
+void add_status_command(CLI::App& program, Command& run);
 void add_merge_command(CLI::App& program, Command& run);
 void add_gate_command(CLI::App& program, Command& run);
 void add_demo_command(CLI::App& program, Command& run);
