@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(tasks_and_merge_are_submitted_and_again_only_what_is_missin
   run_porowave({"merge", "s", "s.shards/1-2"}, work);
   BOOST_TEST(contains(submit().output, "8 of 12 cases are missing"));
   BOOST_TEST(lines_in(work / "s.slurm/2/cases") == 9U);  // and its key
-  fs::remove_all(work / "s.shards");
+  fs::remove(work / "s.shards/1-2");                     // what is in the store is not run again
   for (const std::string shard : {"1/3", "2/3", "3/3"}) {
     BOOST_TEST(run_task("2", shard).exit_code == 0);
   }

@@ -2,6 +2,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <thread>
 
@@ -88,6 +89,33 @@ BOOST_AUTO_TEST_CASE(rows_do_not_depend_on_the_number_of_threads_or_shards) {
     merged.merge(path);
   }
   BOOST_TEST(same_rows(one.all(), merged.all()));
+}
+
+BOOST_AUTO_TEST_CASE(shards_are_balanced_by_predicted_work_and_leave_out_nothing) {
+  const Study study = small_study(twelve);
+  std::set<std::string> only;
+  for (std::size_t i = 0; i < study.cases.size(); i += 2) only.insert(study.cases[i].id);
+  for (const auto& ids : {std::optional<std::set<std::string>>(), std::optional(only)}) {
+    std::multiset<std::string> seen;
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0.0;
+    double longest = 0.0;
+    for (int i = 1; i <= 3; ++i) {
+      double work = 0.0;
+      for (const auto* one : cases_of(study, Shard{i, 3}, ids)) {
+        seen.insert(one->id);
+        work += predicted_work(one->scene);
+        longest = std::max(longest, predicted_work(one->scene));
+      }
+      least = std::min(least, work);
+      most = std::max(most, work);
+    }
+    BOOST_TEST(most - least <= longest * (1.0 + 1e-12));  // Graham's bound for the longest first
+    BOOST_TEST(seen.size() == (ids ? 6U : 12U));
+    for (const auto& one : study.cases) {
+      BOOST_TEST(seen.count(one.id) == (!ids || ids->contains(one.id) ? 1U : 0U));
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_stopped_sweep_keeps_what_it_has_and_continues) {
