@@ -159,16 +159,17 @@ mapfile -t lost < <(job_processes n2)
 ((${#lost[@]})) || fail "no process on node n2"
 kill_all "${daemon[n2]}" "${lost[@]}"
 say "killed node n2: its daemon and ${#lost[@]} processes"
-"$program" status study.toml --store whole
+"$program" status study.toml --store whole | tee status.log
+grep -q ' 0 missing' status.log && fail "all was done before anything was killed"
 kill_all "${daemon[controller]}"
 sleep 1
 start_controller
 say "killed and restarted the controller"
 start_node n2
 within 120 queue_empty || fail "the queue does not empty: $(squeue -r 2>&1)"
-"$program" status study.toml --store whole | tee status.log
-grep -q ' 0 missing' status.log && fail "the killed task lost nothing: it was not killed at work"
+"$program" status study.toml --store whole
 
+# Nothing may be left by now: a controller that forgot of the kill runs that task again by itself.
 submit
 within 90 queue_empty || fail "the queue does not empty: $(squeue -r 2>&1)"
 "$program" status study.toml --store whole | tee status.log
