@@ -63,6 +63,7 @@ int run(int argc, char** argv) {
   porowave::reports::add_waves_command(program, command);
   porowave::reports::add_solve_command(program, command);
   porowave::reports::add_sweep_command(program, command);
+  porowave::reports::add_status_command(program, command);
   porowave::reports::add_merge_command(program, command);
   porowave::reports::add_gate_command(program, command);
   porowave::reports::add_report_command(program, command);

@@ -16,6 +16,7 @@ void add_stability_command(CLI::App& program, Command& run);
 void add_grade_command(CLI::App& program, Command& run);
 void add_explain_command(CLI::App& program, Command& run);
 void add_sweep_command(CLI::App& program, Command& run);
+void add_status_command(CLI::App& program, Command& run);
 void add_merge_command(CLI::App& program, Command& run);
 void add_gate_command(CLI::App& program, Command& run);
 void add_report_command(CLI::App& program, Command& run);

@@ -18,7 +18,9 @@ struct Options {
 int run_merge(const Options& options) {
   // What is no store is refused before anything is written.
   for (const std::string& source : options.sources) verification::Store::open(source);
-  auto store = verification::Store::create_or_open(options.target);
+  // A new store may lie on a network file system: the merging job of a cluster makes it.
+  auto store =
+      verification::Store::create_or_open(options.target, verification::Store::Journal::rollback);
   const std::size_t before = store.count();
   for (const std::string& source : options.sources) store.merge(source);
   fmt::print("{} rows, {} of them new\nwrote {}\n", store.count(), store.count() - before,

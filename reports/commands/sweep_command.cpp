@@ -10,7 +10,9 @@
 
 #include "reference/problem/errors.hpp"
 #include "reports/commands/commands.hpp"
+#include "reports/commands/slurm_sweep.hpp"
 #include "reports/progress.hpp"
+#include "verification/cluster/case_list.hpp"
 #include "verification/sweep/repeat.hpp"
 #include "verification/sweep/sweep.hpp"
 
@@ -29,7 +31,10 @@ struct Options {
   int jobs = 0;
   std::string shard;
   std::string one;
+  std::string only;
   bool dry_run = false;
+  bool slurm = false;
+  verification::SlurmOptions cluster;
 };
 
 std::atomic<bool> stop = false;
@@ -87,20 +92,26 @@ int report(const verification::SweepSummary& summary, const std::string& store, 
 
 int run_sweep(const Options& options) {
   if (!options.one.empty()) return repeat_one(options);
-  const auto shard = parse_shard(options.shard);
+  if (options.slurm) {
+    return sweep_by_slurm(options.study, options.store, options.cluster, options.dry_run);
+  }
+  verification::SweepOptions how;
+  how.shard = parse_shard(options.shard);
+  if (!options.only.empty()) how.only = verification::read_case_ids(options.only);
   const verification::Study study = verification::load_study(options.study);
-  const std::size_t cases = verification::cases_of(study, shard).size();
+  const std::size_t cases = verification::cases_of(study, how.shard, how.only).size();
   if (options.dry_run) {
     fmt::print("{}: {} cases\n", study.name, cases);
     return 0;
   }
-  auto store = verification::Store::create_or_open(options.store);
+  // Shards are for several machines, whose common disk may be a network file system.
+  auto store = verification::Store::create_or_open(
+      options.store, how.shard ? verification::Store::Journal::rollback
+                               : verification::Store::Journal::write_ahead);
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   Progress progress(study.name, static_cast<int>(cases));
-  verification::SweepOptions how;
   how.jobs = options.jobs;
-  how.shard = shard;
   how.stop = &stop;
   how.progress = [&](std::size_t done, std::size_t to_do) {
     progress.set(static_cast<int>(done), static_cast<int>(to_do));
@@ -110,6 +121,25 @@ int run_sweep(const Options& options) {
   progress.end();
   return report(summary, options.store,
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+}
+
+void add_slurm_options(CLI::App& command, Options& options) {
+  CLI::Option* slurm = command.add_flag(
+      "--slurm", options.slurm,
+      "Submit what the store lacks to Slurm: a job array and a job that merges its results");
+  const auto add = [&](const char* name, auto& value, const char* text) {
+    return command.add_option(name, value, text)->needs(slurm);
+  };
+  add("--partition", options.cluster.partition, "Of Slurm; its default if absent");
+  add("--time", options.cluster.time, "Limit of one task, as sbatch reads it: 02:00:00");
+  add("--nodes", options.cluster.nodes, "Tasks at a time; 1 if absent")
+      ->check(CLI::Range(1, 100'000));
+  add("--cpus", options.cluster.cpus, "CPUs of a task; 1 if absent")->check(CLI::Range(1, 1024));
+  add("--tasks", options.cluster.tasks, "Tasks in all; by predicted cost if absent")
+      ->check(CLI::Range(1, 1000));
+  for (const char* other : {"--jobs", "--shard", "--case", "--cases"}) {
+    slurm->excludes(command.get_option(other));
+  }
 }
 
 }  // namespace
@@ -125,12 +155,18 @@ void add_sweep_command(CLI::App& program, Command& run) {
   command->add_option(
       "--case", options->one,
       "Id of a row (or how it begins): repeat that case with this program, compare");
-  command->add_flag("--dry-run", options->dry_run, "Check the study and count its cases");
+  command->add_option("--cases", options->only,
+                      "Only the cases whose ids are in this file, one a line");
+  command->add_flag("--dry-run", options->dry_run,
+                    "Check the study and count its cases; with --slurm print scripts and commands");
+  add_slurm_options(*command, *options);
   command->footer(
       "Every case is a row of the store, keyed by a hash of its full specification and of the\n"
       "sources that decide numbers. Killed at any moment, the sweep goes on where it was.\n"
       "--case ends with 0 if all errors are what they were, 1 if not, 4 if the run broke down:\n"
       "usable as git bisect run porowave sweep STUDY.toml --store results --case ID\n"
+      "--slurm writes scripts to STORE.slurm and results of tasks to STORE.shards; run again it\n"
+      "submits what is missing then. porowave status tells how far it is.\n"
       "Example: porowave sweep verification/studies/smoke.toml --store results");
   command->callback([options, &run] { run = [options] { return run_sweep(*options); }; });
 }

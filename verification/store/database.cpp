@@ -26,6 +26,17 @@ constexpr int patience_ms = 60'000;
   throw EnvironmentError(fmt::format("{}: {}: expected {}", path, reason, expected));
 }
 
+/// What a program killed while it wrote has left is taken back, which a database opened only to be
+/// read must not do.
+void roll_back(const std::string& path) {
+  if (!std::filesystem::exists(path + "-journal")) return;
+  try {
+    Database(path, Database::Mode::create).prepare("SELECT count(*) FROM sqlite_master").step();
+  } catch (const EnvironmentError&) {
+    // Not ours to write: reading says what is wrong, if anything is.
+  }
+}
+
 }  // namespace
 
 void Statement::Finalize::operator()(sqlite3_stmt* statement) const {
@@ -71,9 +82,13 @@ void Statement::reset() {
 }
 
 std::string Statement::text(int column) const {
+  return std::string(view(column));
+}
+
+std::string_view Statement::view(int column) const {
   const auto* data = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
   const int size = sqlite3_column_bytes(statement_.get(), column);
-  return data ? std::string(data, static_cast<std::size_t>(size)) : std::string();
+  return data ? std::string_view(data, static_cast<std::size_t>(size)) : std::string_view();
 }
 
 std::int64_t Statement::integer(int column) const {
@@ -92,6 +107,7 @@ Database::Database(const std::string& path, Mode mode) : path_(path) {
   if (mode == Mode::read && !std::filesystem::exists(path)) {
     throw InputError(path + ": cannot be read: expected a store of porowave");
   }
+  if (mode == Mode::read) roll_back(path);
   sqlite3* opened = nullptr;
   // WAL needs its index even to read, so reading asks for no less than writing where it may.
   const int flags =

@@ -25,6 +25,7 @@ class Statement {
   void reset();
 
   std::string text(int column) const;
+  std::string_view view(int column) const;  ///< the same, valid until the next step
   std::int64_t integer(int column) const;
   std::optional<double> number(int column) const;  ///< none for NULL
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "verification/store/database.hpp"
@@ -20,9 +22,14 @@ namespace porowave::verification {
 /// and come along when stores are merged.
 class Store {
  public:
+  /// How a new store is kept from harm. A write-ahead log is faster, but all programs that use it
+  /// must be on one machine; a rollback journal also serves on network file systems. A store that
+  /// is there keeps its rollback journal only while nobody opens it with the other.
+  enum class Journal { write_ahead, rollback };
+
   /// Throws InputError if the file is no store or of a newer version, EnvironmentError if it cannot
   /// be read or written.
-  static Store create_or_open(const std::string& path);
+  static Store create_or_open(const std::string& path, Journal journal = Journal::write_ahead);
   static Store open(const std::string& path);
 
   /// Adds rows in one transaction. A row that is there already is replaced only if it had failed.
@@ -32,6 +39,10 @@ class Store {
   /// Ids of the cases that need not be run again: all whose status is not `failed`.
   std::set<std::string> finished_ids() const;
   bool finished(const std::string& id) const;
+  /// Calls `visit` with id, status and time of the end of every row, in the order of the ids. A
+  /// million rows take some tenths of a second.
+  void visit_ends(
+      const std::function<void(std::string_view, std::string_view, std::string_view)>& visit) const;
   std::optional<Record> find(const std::string& id) const;
   std::vector<Record> beginning_with(const std::string& id) const;
   std::size_t count() const;

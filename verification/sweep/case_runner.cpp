@@ -150,4 +150,11 @@ double predicted_work(const solver::Case& scene) {
   return elements * steps + 50.0 * points;
 }
 
+double predicted_seconds(const solver::Case& scene) {
+  // Measured over the studies of this tree (verification/README.md).
+  constexpr double seconds_per_case = 1.0e-4;
+  constexpr double seconds_per_work = 1.0e-8;
+  return seconds_per_case + seconds_per_work * predicted_work(scene);
+}
+
 }  // namespace porowave::verification

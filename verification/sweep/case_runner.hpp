@@ -53,5 +53,7 @@ class CaseRunner {
 
 /// Work that a case takes compared with others, without unit: to run the longest first.
 double predicted_work(const solver::Case& scene);
+/// The same as CPU time, s, of a core of 2020 or so: within a factor of two for our solver.
+double predicted_seconds(const solver::Case& scene);
 
 }  // namespace porowave::verification

@@ -6,7 +6,9 @@
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
+#include <queue>
 #include <thread>
 
 #include "verification/study/case_identity.hpp"
@@ -90,20 +92,29 @@ std::size_t thread_count(const SweepOptions& options, std::size_t cases) {
 
 }  // namespace
 
-std::vector<const StudyCase*> cases_of(const Study& study, const std::optional<Shard>& shard) {
+std::vector<const StudyCase*> cases_of(const Study& study, const std::optional<Shard>& shard,
+                                       const std::optional<std::set<std::string>>& only) {
   std::vector<const StudyCase*> cases;
-  for (const StudyCase& one : study.cases) cases.push_back(&one);
+  for (const StudyCase& one : study.cases) {
+    if (!only || only->contains(one.id)) cases.push_back(&one);
+  }
   if (!shard) return cases;
+  using Weighed = std::pair<double, const StudyCase*>;
+  std::vector<Weighed> weighed;
+  for (const StudyCase* one : cases) weighed.emplace_back(predicted_work(one->scene), one);
   // The same order in every process: by work, then by identity.
-  std::sort(cases.begin(), cases.end(), [](const StudyCase* a, const StudyCase* b) {
-    const double first = predicted_work(a->scene);
-    const double second = predicted_work(b->scene);
-    return first != second ? first > second : a->id < b->id;
+  std::sort(weighed.begin(), weighed.end(), [](const Weighed& a, const Weighed& b) {
+    return a.first != b.first ? a.first > b.first : a.second->id < b.second->id;
   });
+  using Load = std::pair<double, int>;  // work, shard
+  std::priority_queue<Load, std::vector<Load>, std::greater<>> lightest;
+  for (int i = 1; i <= shard->count; ++i) lightest.emplace(0.0, i);
   std::vector<const StudyCase*> part;
-  for (auto i = static_cast<std::size_t>(shard->index - 1); i < cases.size();
-       i += static_cast<std::size_t>(shard->count)) {
-    part.push_back(cases[i]);
+  for (const auto& [work, one] : weighed) {
+    const auto [load, index] = lightest.top();
+    lightest.pop();
+    lightest.emplace(load + work, index);
+    if (index == shard->index) part.push_back(one);
   }
   return part;
 }
@@ -112,7 +123,7 @@ SweepSummary sweep(const Study& study, Store& store, const SweepOptions& options
   const Provenance here = current_provenance();
   store.add(here);
   SweepSummary summary;
-  std::vector<const StudyCase*> cases = cases_of(study, options.shard);
+  std::vector<const StudyCase*> cases = cases_of(study, options.shard, options.only);
   summary.cases = cases.size();
   std::set<std::string> known = store.finished_ids();
   std::erase_if(cases, [&](const StudyCase* one) { return known.contains(one->id); });

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "verification/store/store.hpp"
@@ -20,6 +21,7 @@ struct Shard {
 struct SweepOptions {
   int jobs = 0;  ///< threads; 0 for one a core
   std::optional<Shard> shard = {};
+  std::optional<std::set<std::string>> only = {};  ///< ids of cases; all if absent
   /// Called about ten times a second from the thread that called `sweep`: cases done, cases to do.
   std::function<void(std::size_t, std::size_t)> progress = {};
   /// When it becomes true no case is begun any more; those under way are finished and stored.
@@ -44,7 +46,9 @@ struct SweepSummary {
 /// Throws EnvironmentError if the store cannot be written.
 SweepSummary sweep(const Study& study, Store& store, const SweepOptions& options = {});
 
-/// The cases of a shard: every count-th of the study in the order of their predicted work.
-std::vector<const StudyCase*> cases_of(const Study& study, const std::optional<Shard>& shard);
+/// The cases of a shard: those with the longest predicted work first, each goes to the shard with
+/// the least work so far. With `only`, the shards are those of the cases with these ids.
+std::vector<const StudyCase*> cases_of(const Study& study, const std::optional<Shard>& shard,
+                                       const std::optional<std::set<std::string>>& only = {});
 
 }  // namespace porowave::verification

@@ -2,6 +2,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <thread>
 
@@ -88,6 +89,34 @@ BOOST_AUTO_TEST_CASE(rows_do_not_depend_on_the_number_of_threads_or_shards) {
     merged.merge(path);
   }
   BOOST_TEST(same_rows(one.all(), merged.all()));
+}
+
+BOOST_AUTO_TEST_CASE(shards_are_balanced_by_predicted_work_and_leave_out_nothing) {
+  const Study study = small_study(
+      "\"discretization.elements\" = [10, 13, 17, 25, 34, 50, 70, 100, 130, 170, 230, 300, 400]\n");
+  std::set<std::string> only;
+  for (std::size_t i = 0; i < study.cases.size(); i += 2) only.insert(study.cases[i].id);
+  for (const auto& ids : {std::optional<std::set<std::string>>(), std::optional(only)}) {
+    std::multiset<std::string> seen;
+    std::vector<double> work;      // of a shard
+    std::vector<double> shortest;  // case in it
+    for (int i = 1; i <= 3; ++i) {
+      work.push_back(0.0);
+      shortest.push_back(std::numeric_limits<double>::infinity());
+      for (const auto* one : cases_of(study, Shard{i, 3}, ids)) {
+        seen.insert(one->id);
+        work.back() += predicted_work(one->scene);
+        shortest.back() = std::min(shortest.back(), predicted_work(one->scene));
+      }
+    }
+    // When a shard got its last case, its shortest, no other had less.
+    const double least = *std::min_element(work.begin(), work.end());
+    for (std::size_t i = 0; i < 3; ++i) BOOST_TEST(work[i] - shortest[i] <= least * (1.0 + 1e-12));
+    BOOST_TEST(seen.size() == (ids ? only.size() : study.cases.size()));
+    for (const auto& one : study.cases) {
+      BOOST_TEST(seen.count(one.id) == (!ids || ids->contains(one.id) ? 1U : 0U));
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_stopped_sweep_keeps_what_it_has_and_continues) {

@@ -1,0 +1,108 @@
+#include "reports/commands/slurm_sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <ctime>
+#include <filesystem>
+
+#include "reference/problem/errors.hpp"
+#include "reports/output_file.hpp"
+#include "verification/cluster/case_list.hpp"
+#include "verification/cluster/status.hpp"
+#include "verification/process/process.hpp"
+
+namespace porowave::reports {
+
+namespace {
+
+namespace fs = std::filesystem;
+using verification::ClusterFiles;
+using verification::SlurmJob;
+
+std::string this_program() {
+  return fs::read_symlink("/proc/self/exe").string();
+}
+
+void make_folder(const std::string& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error)
+    throw EnvironmentError(path + ": " + error.message() + ": expected a folder to write in");
+}
+
+void require_sbatch() {
+  try {
+    if (verification::run_process({"sbatch", "--version"}, ".").exit_code == 0) return;
+  } catch (const EnvironmentError&) {
+  }
+  throw EnvironmentError(
+      "sbatch: cannot be started: expected Slurm installed and in PATH; without it sweep --shard "
+      "i/n "
+      "and merge do the same by hand, and --dry-run shows what would be submitted");
+}
+
+void print(const SlurmJob& job) {
+  fmt::print("\n# {}\n{}# {}\n", job.script_path, job.script,
+             verification::shell_line(job.command));
+}
+
+/// Writes what the tasks read, then submits both jobs.
+void submit_all(const ClusterFiles& files, int submission, const SlurmJob& sweep,
+                const verification::CaseList& cases, const std::string& program,
+                const verification::SlurmOptions& options) {
+  make_folder(files.shard_folder);
+  verification::write_case_list(files.submission_folder(submission) + "/cases", cases, "missing");
+  write_file(sweep.script_path, sweep.script);
+  const std::string array = verification::submit(sweep);
+  fmt::print("submitted job {}: the tasks\n", array);
+  const SlurmJob merge = verification::merge_job(files, submission, program, options, array);
+  write_file(merge.script_path, merge.script);
+  fmt::print("submitted job {}: merges them into {}\n", verification::submit(merge), files.store);
+}
+
+}  // namespace
+
+int sweep_by_slurm(const std::string& study_path, const std::string& store,
+                   const verification::SlurmOptions& options, bool dry_run) {
+  if (!dry_run) require_sbatch();
+  const ClusterFiles files(store);
+  const verification::Study study = verification::load_study(study_path);
+  const verification::CaseList all = verification::case_list(study);
+  const auto status =
+      verification::study_status(all, files.store, files.shards(), std::time(nullptr));
+  const verification::CaseList& missing = status.unfinished;
+  const int tasks = verification::task_count(missing.seconds(), all.entries.size(),
+                                             missing.entries.size(), options);
+  fmt::print("{}: {} of {} cases are missing, predicted to take {:.0f} s of CPU: {} tasks\n",
+             study.name, missing.entries.size(), all.entries.size(), missing.seconds(), tasks);
+  const auto queue = verification::slurm_queue(files);
+  if (queue && queue->running + queue->waiting > 0 && !dry_run) {
+    fmt::print(
+        "{} jobs of this store are in the queue: nothing submitted; run again when they have "
+        "ended\n",
+        queue->running + queue->waiting);
+    return 0;
+  }
+  const std::string program = this_program();
+  const int submission = files.next_submission();
+  if (missing.entries.empty()) {
+    fmt::print("nothing to run; porowave merge brings shards together that are not yet\n");
+    return 0;
+  }
+  const SlurmJob sweep = verification::sweep_job(files, submission, tasks, program,
+                                                 fs::absolute(study_path).string(), options);
+  if (dry_run) {
+    print(sweep);
+    print(verification::merge_job(files, submission, program, options, "JOB"));
+    return 0;
+  }
+  make_folder(files.submission_folder(submission));
+  if (verification::stands_alone(study)) {
+    verification::write_case_list(files.folder + "/cases", all,
+                                  verification::study_key(study_path));
+  }
+  submit_all(files, submission, sweep, missing, program, options);
+  return 0;
+}
+
+}  // namespace porowave::reports
