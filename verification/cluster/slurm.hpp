@@ -9,11 +9,11 @@ namespace porowave::verification {
 
 /// What one may ask of Slurm. Empty texts leave the choice to it.
 struct SlurmOptions {
-  std::string partition;
-  std::string time;  ///< of one task, as sbatch reads it: "02:00:00"
-  int nodes = 1;     ///< tasks at a time, each on a node of its own or on a part of one
-  int cpus = 1;      ///< of a task, which runs as many cases at a time
-  int tasks = 0;     ///< 0: by task_count
+  std::string partition = {};
+  std::string time = {};  ///< of one task, as sbatch reads it: "02:00:00"
+  int nodes = 1;          ///< tasks at a time, each on a node of its own or on a part of one
+  int cpus = 1;           ///< of a task, which runs as many cases at a time
+  int tasks = 0;          ///< 0: by task_count
 };
 
 /// Tasks for so much work, CPU seconds. A task begins with 0.8 s of Slurm's and by making all cases

@@ -151,7 +151,7 @@ double predicted_work(const solver::Case& scene) {
 }
 
 double predicted_seconds(const solver::Case& scene) {
-  // Measured over the studies of this tree (verification/README.md).
+  // Guesses, compared with the study `smoke` only: 14 s predicted, 11.3 s measured for 2,880 cases.
   constexpr double seconds_per_case = 1.0e-4;
   constexpr double seconds_per_work = 1.0e-8;
   return seconds_per_case + seconds_per_work * predicted_work(scene);

@@ -53,7 +53,7 @@ class CaseRunner {
 
 /// Work that a case takes compared with others, without unit: to run the longest first.
 double predicted_work(const solver::Case& scene);
-/// The same as CPU time, s, of a core of 2020 or so: within a factor of two for our solver.
+/// The same as CPU time, s: a guess to size the tasks of a cluster by, not fitted to a machine.
 double predicted_seconds(const solver::Case& scene);
 
 }  // namespace porowave::verification
