@@ -34,6 +34,6 @@ stage() {
 # set_up WARNINGS_AS_ERRORS TARGET: configure and build.
 set_up() {
   stage configure cmake -S "$root" --preset release -DCMAKE_CXX_COMPILER=g++ \
-        -DPOROWAVE_TESTS=ON -DPOROWAVE_WARNINGS_AS_ERRORS="$1"
+        -DPOROWAVE_TESTS=ON -DPOROWAVE_UNITY_BUILD=ON -DPOROWAVE_WARNINGS_AS_ERRORS="$1"
   stage build cmake --build "$build" --target "$2"
 }

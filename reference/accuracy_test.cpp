@@ -11,6 +11,8 @@
 #include "reference/random_points.hpp"
 #include "reference/waves.hpp"
 
+BOOST_AUTO_TEST_SUITE(accuracy)
+
 using namespace porowave;
 using fixtures::shares;
 using fixtures::Worst;
@@ -85,8 +87,6 @@ long argument(int index, long otherwise) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(accuracy)
 
 BOOST_AUTO_TEST_CASE(random_points_of_the_whole_range_are_right_to_1e_12_and_within_their_bounds) {
   const long count = argument(1, 100);

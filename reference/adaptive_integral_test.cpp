@@ -6,6 +6,8 @@
 #include <numbers>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(adaptive_integral)
+
 using namespace porowave::reference;
 
 namespace {
@@ -22,8 +24,6 @@ void check(const Bounded& integral, double expected) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(adaptive_integral)
 
 BOOST_AUTO_TEST_CASE(known_integrals_are_found_within_their_errors) {
   check(integral([](double t) { return std::exp(t); }, {0.0, 1.0}), std::numbers::e - 1.0);

@@ -4,6 +4,8 @@
 
 #include "reference/problem/problem_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(arrivals)
+
 using namespace porowave;
 using namespace porowave::reference;
 
@@ -29,8 +31,6 @@ struct Arrived {
 };
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(arrivals)
 
 BOOST_AUTO_TEST_CASE(every_event_that_has_arrived_is_there_once) {
   // At x = 0.02 P1 arrives after 8.7 us, P2 after 17.5 us; the block ends 10 us later.

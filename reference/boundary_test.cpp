@@ -5,6 +5,8 @@
 
 #include "reference/random_problems.hpp"
 
+BOOST_AUTO_TEST_SUITE(boundary)
+
 using namespace porowave;
 using namespace porowave::reference;
 
@@ -66,8 +68,6 @@ std::array<Complex, 8> integrals_round(const Problem& problem, const WaveModes& 
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(boundary)
 
 BOOST_AUTO_TEST_CASE(every_end_gets_what_is_prescribed_there) {
   fixtures::RandomProblems random(1);

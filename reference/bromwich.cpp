@@ -9,6 +9,7 @@
 #include <span>
 #include <unordered_map>
 
+#include "reference/constants.hpp"
 #include "reference/fourier_integral.hpp"
 #include "reference/problem/errors.hpp"
 
@@ -23,8 +24,6 @@ using line::LoadPiece;
 using Four = FourOf<double>;
 using Kind = LoadPiece::Kind;
 
-constexpr double pi = std::numbers::pi;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// sigma tau: how far right of s = 0 the line runs. Small enough for e^(sigma tau) not to matter.
 constexpr double offset = 5.0;
 /// And how far right of the meeting points of the modes at least.
@@ -44,7 +43,7 @@ constexpr double head_panel = 20.0;
 constexpr double finest_goal = 2e-13;
 
 /// An image, a piece of the load that has arrived with it, and how long ago.
-struct Arrival {
+struct WaveArrival {
   const Image* image;
   const LoadPiece* piece;
   double since;
@@ -68,7 +67,7 @@ class Inverter {
   const Four& unit() const { return unit_; }
 
   /// Adds one piece with one image; `hidden` is the rounding of arrival times.
-  void add(const Arrival& arrival, double hidden, Sum& sum);
+  void add(const WaveArrival& arrival, double hidden, Sum& sum);
   /// True if the load at this age is to be taken whole, by add_in_bands.
   bool in_bands(double age) const;
   /// Adds all pieces of the load with an image that arrived `age` ago.
@@ -85,10 +84,10 @@ class Inverter {
   FourOf<Series> front(const Image& image) const {
     return line::image_fields(problem_.column, medium_, image, Series::variable());
   }
-  void add_rest(const Arrival& arrival, const FourOf<Series>& front, Sum& sum);
+  void add_rest(const WaveArrival& arrival, const FourOf<Series>& front, Sum& sum);
   void add_head(const Image& image, std::span<const LoadPiece> pieces, double age, double line,
                 double edge, Sum& sum);
-  void add_tail(const Arrival& arrival, double line, double edge, Sum& sum);
+  void add_tail(const WaveArrival& arrival, double line, double edge, Sum& sum);
   /// An integral times `factor`, with the rounding of integrands of the size `largest`.
   void accept(const Integral& integral, double factor, double largest, std::size_t f, Sum& sum) {
     sum.value[f] += factor * integral.value;
@@ -122,7 +121,7 @@ class Remembered {
   double largest_ = 0.0;
 };
 
-void Inverter::add(const Arrival& arrival, double hidden, Sum& sum) {
+void Inverter::add(const WaveArrival& arrival, double hidden, Sum& sum) {
   const FourOf<Series> fronts = front(*arrival.image);
   for (std::size_t f = 0; f < 4; ++f) {
     for (std::size_t k = 0; k < front_terms; ++k) {
@@ -137,7 +136,7 @@ void Inverter::add(const Arrival& arrival, double hidden, Sum& sum) {
   if (arrival.since > 0.0) add_rest(arrival, fronts, sum);
 }
 
-void Inverter::add_rest(const Arrival& arrival, const FourOf<Series>& fronts, Sum& sum) {
+void Inverter::add_rest(const WaveArrival& arrival, const FourOf<Series>& fronts, Sum& sum) {
   const double since = arrival.since;
   const double line = sigma(since);
   Remembered rest([&](double y) {
@@ -206,7 +205,7 @@ void Inverter::add_head(const Image& image, std::span<const LoadPiece> pieces, d
   }
 }
 
-void Inverter::add_tail(const Arrival& arrival, double line, double edge, Sum& sum) {
+void Inverter::add_tail(const WaveArrival& arrival, double line, double edge, Sum& sum) {
   const double since = arrival.since;
   Remembered tail([&](double y) {
     const Complex s(line, y / since);

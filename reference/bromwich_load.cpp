@@ -4,12 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "reference/constants.hpp"
+
 namespace porowave::reference::line {
 
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double pi = std::numbers::pi;
 
 LoadPiece powers(double start, std::vector<LoadPiece::Power> terms) {
   return {LoadPiece::Kind::powers, start, 0.0, 0.0, std::move(terms)};

@@ -11,6 +11,8 @@
 #include "reference/random_problems.hpp"
 #include "reference/tables/truth.hpp"
 
+BOOST_AUTO_TEST_SUITE(bromwich)
+
 using namespace porowave;
 using namespace porowave::reference;
 namespace tt = boost::test_tools;
@@ -36,8 +38,6 @@ Problem random_problem(fixtures::RandomProblems& random, double stiffness) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(bromwich)
 
 BOOST_AUTO_TEST_CASE(a_series_in_1_over_s_is_the_expansion_of_the_fields_for_large_s) {
   fixtures::RandomProblems random(3);

@@ -8,6 +8,8 @@
 #include "reference/problem/problem_fixtures.hpp"
 #include "reference/random_problems.hpp"
 
+BOOST_AUTO_TEST_SUITE(column_solution)
+
 using namespace porowave;
 using namespace porowave::reference;
 namespace tt = boost::test_tools;
@@ -38,8 +40,6 @@ double residual(const ColumnSolution& solution, double x, double t, double perio
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(column_solution)
 
 BOOST_AUTO_TEST_CASE(the_governing_equations_hold_for_every_pair_of_ends) {
   fixtures::RandomProblems random(1);

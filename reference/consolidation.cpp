@@ -5,14 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "reference/constants.hpp"
 #include "reference/phi.hpp"
 #include "reference/problem/errors.hpp"
 
 namespace porowave::reference {
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 void require_consolidation(const Problem& problem) {
   const Column& column = problem.column;

@@ -9,6 +9,8 @@
 #include "reference/problem/problem_fixtures.hpp"
 #include "reference/waves.hpp"
 
+BOOST_AUTO_TEST_SUITE(consolidation)
+
 using namespace porowave;
 using namespace porowave::reference;
 using namespace porowave::fixtures;
@@ -37,8 +39,6 @@ double consolidation_time(const Material& m) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(consolidation)
 
 BOOST_AUTO_TEST_CASE(early_under_a_step_the_column_is_a_half_space) {
   // p = K/(E + K) q erf(x/(2 sqrt(c_v t))) as long as the far end does not know.

@@ -6,10 +6,10 @@
 #include "reference/problem/problem_fixtures.hpp"
 #include "reference/random_points.hpp"
 
+BOOST_AUTO_TEST_SUITE(contour_choice)
+
 using namespace porowave;
 using namespace porowave::reference;
-
-BOOST_AUTO_TEST_SUITE(contour_choice)
 
 BOOST_AUTO_TEST_CASE(different_contours_agree_within_their_bounds) {
   // Any permitted contour gives the same integral: here the chosen one against one half as far out

@@ -5,6 +5,8 @@
 
 #include "reference/random_problems.hpp"
 
+BOOST_AUTO_TEST_SUITE(contour)
+
 using namespace porowave;
 using namespace porowave::reference;
 
@@ -21,8 +23,6 @@ double error_with_step(const Hyperbola& contour, double h, double t) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(contour)
 
 BOOST_AUTO_TEST_CASE(its_right_end_and_its_angle_are_those_asked_for) {
   const Hyperbola contour = hyperbola_through(2.0, 5.0, 0.4);

@@ -7,6 +7,8 @@
 #include "reference/problem/errors.hpp"
 #include "reference/problem/problem_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(cross_check)
+
 using namespace porowave;
 using namespace porowave::reference;
 namespace tt = boost::test_tools;
@@ -42,8 +44,6 @@ RouteCheck check_changed(const Change& change) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(cross_check)
 
 BOOST_AUTO_TEST_CASE(three_routes_agree_on_a_smooth_load) {
   const CrossCheck check = compare_routes(smooth_problem(), points, times);

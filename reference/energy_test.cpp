@@ -8,6 +8,8 @@
 #include "reference/profile.hpp"
 #include "reference/random_problems.hpp"
 
+BOOST_AUTO_TEST_SUITE(energy)
+
 using namespace porowave;
 using namespace porowave::reference;
 namespace tt = boost::test_tools;
@@ -39,8 +41,6 @@ bool sound(const EnergyBalance& balance) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(energy)
 
 BOOST_AUTO_TEST_CASE(what_is_missing_is_what_drag_has_used_up) {
   fixtures::RandomProblems random(31);

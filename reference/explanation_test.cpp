@@ -5,10 +5,10 @@
 #include "reference/problem/errors.hpp"
 #include "reference/problem/problem_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(explanation)
+
 using namespace porowave;
 using namespace porowave::reference;
-
-BOOST_AUTO_TEST_SUITE(explanation)
 
 BOOST_AUTO_TEST_CASE(the_groups_add_up_to_the_value_and_converge_with_the_level) {
   for (const double permeability : {1e-10, 1e-13}) {

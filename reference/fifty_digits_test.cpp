@@ -9,6 +9,8 @@
 #include "reference/random_points.hpp"
 #include "reference/tables/truth.hpp"
 
+BOOST_AUTO_TEST_SUITE(fifty_digits)
+
 using namespace porowave;
 using fixtures::distance;
 
@@ -39,8 +41,6 @@ double rounding_of_inputs(const fixtures::TruthRow& row) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(fifty_digits)
 
 BOOST_AUTO_TEST_CASE(every_row_of_the_truth_tables) {
   double worst = 0.0;

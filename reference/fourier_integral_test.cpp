@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+BOOST_AUTO_TEST_SUITE(fourier_integral)
+
 using namespace porowave::reference;
 namespace tt = boost::test_tools;
-
-BOOST_AUTO_TEST_SUITE(fourier_integral)
 
 BOOST_AUTO_TEST_CASE(integrals_known_in_closed_form) {
   using Weight = FourierIntegral::Weight;

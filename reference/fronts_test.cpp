@@ -9,6 +9,8 @@
 #include "reference/problem/problem_fixtures.hpp"
 #include "reference/random_problems.hpp"
 
+BOOST_AUTO_TEST_SUITE(fronts)
+
 using namespace porowave;
 using namespace porowave::reference;
 using fixtures::as_array;
@@ -71,8 +73,6 @@ Load with_jumps(int kind, double crossing) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(fronts)
 
 BOOST_AUTO_TEST_CASE(jumps_are_those_of_the_exact_solution_for_every_pair_of_ends) {
   fixtures::RandomProblems random(1);

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/constants.hpp"
+
 namespace porowave::reference {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Terms smaller than this share of the load are not summed.

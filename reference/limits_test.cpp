@@ -2,6 +2,8 @@
 
 #include "reference/limits_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(limits)
+
 using namespace porowave;
 using namespace porowave::reference;
 using namespace porowave::fixtures;
@@ -26,8 +28,6 @@ std::vector<Column> all_columns() {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(limits)
 
 BOOST_AUTO_TEST_CASE(without_drag_the_column_is_dalemberts) {
   // Every wave decays by theta t times a constant, so every field tends at first order.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "reference/constants.hpp"
 #include "reference/phi.hpp"
 
 namespace porowave::reference {
@@ -11,7 +12,6 @@ namespace porowave::reference {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double pi = std::numbers::pi;
 /// Duration of the wavelet in its own unit (problem/load.hpp).
 constexpr double ricker_width = 13.0;
 

@@ -4,6 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <numbers>
 
+BOOST_AUTO_TEST_SUITE(load_transform)
+
 using porowave::Load;
 using porowave::LoadShape;
 using porowave::reference::LoadTransform;
@@ -53,8 +55,6 @@ double inverse(double radius, Function&& f) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(load_transform)
 
 BOOST_AUTO_TEST_CASE(the_events_together_are_the_load) {
   // Inverted by themselves, the events that have happened add up to q.

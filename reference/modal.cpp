@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "reference/constants.hpp"
 #include "reference/modal_modes.hpp"
 #include "reference/problem/errors.hpp"
 #include "reference/sine_transform.hpp"
@@ -18,7 +19,6 @@ namespace {
 
 using Four = std::array<double, 4>;
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr std::size_t fewest_modes = 64;
 constexpr std::size_t most_modes = 131'072;
 /// Modes are added until the slowest of them turns by this angle within the load at least: before,

@@ -6,13 +6,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "reference/constants.hpp"
+
 namespace porowave::reference::quarter_wave {
 
 namespace {
 
 using Complex = std::complex<double>;
 using Gauss = boost::math::quadrature::gauss<double, 30>;
-constexpr double pi = std::numbers::pi;
 /// |s| h of a panel of length h up to which 30 nodes are exact.
 constexpr double panel_reach = 20.0;
 /// Panels of the coarsest rule (what the load itself needs) and how often they are doubled.

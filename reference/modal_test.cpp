@@ -13,6 +13,8 @@
 #include "reference/problem/problem_fixtures.hpp"
 #include "reference/random_problems.hpp"
 
+BOOST_AUTO_TEST_SUITE(modal)
+
 using namespace porowave;
 using namespace porowave::reference;
 namespace tt = boost::test_tools;
@@ -79,8 +81,6 @@ Problem random_problem(fixtures::RandomProblems& random, double stiffness) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(modal)
 
 BOOST_AUTO_TEST_CASE(without_drag_waves_are_reflected_unchanged) {
   Problem problem = fixtures::paper_problem();

@@ -5,6 +5,8 @@
 
 #include "reference/random_problems.hpp"
 
+BOOST_AUTO_TEST_SUITE(modes)
+
 using namespace porowave;
 using namespace porowave::reference;
 
@@ -34,8 +36,6 @@ double residual(const Material& m, Complex s, Complex lambda, Complex rs, Comple
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(modes)
 
 BOOST_AUTO_TEST_CASE(both_modes_solve_the_transformed_equations) {
   fixtures::RandomProblems random(1);

@@ -4,10 +4,10 @@
 
 #include "reference/problem/problem_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(node_table)
+
 using namespace porowave;
 using namespace porowave::reference;
-
-BOOST_AUTO_TEST_SUITE(node_table)
 
 BOOST_AUTO_TEST_CASE(the_levels_together_are_the_trapezoidal_rule_of_the_finest) {
   const Problem problem = fixtures::paper_problem();

@@ -3,10 +3,10 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(phi)
+
 using Complex = std::complex<double>;
 using porowave::reference::phi_functions;
-
-BOOST_AUTO_TEST_SUITE(phi)
 
 BOOST_AUTO_TEST_CASE(agrees_with_its_integral) {
   using Rule = boost::math::quadrature::gauss<double, 60>;

@@ -6,6 +6,8 @@
 #include "reference/problem/problem_fixtures.hpp"
 #include "reference/random_problems.hpp"
 
+BOOST_AUTO_TEST_SUITE(profile)
+
 using namespace porowave;
 using namespace porowave::reference;
 
@@ -26,8 +28,6 @@ double worst_difference(const Problem& problem, double t, double end, int points
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(profile)
 
 BOOST_AUTO_TEST_CASE(it_repeats_the_papers_column) {
   for (const Load& load :

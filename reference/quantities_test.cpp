@@ -6,10 +6,10 @@
 #include "reference/problem/errors.hpp"
 #include "reference/problem/problem_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(quantities)
+
 using namespace porowave;
 using namespace porowave::reference;
-
-BOOST_AUTO_TEST_SUITE(quantities)
 
 BOOST_AUTO_TEST_CASE(they_are_made_of_the_fields) {
   const ColumnSolution solution(fixtures::paper_problem());

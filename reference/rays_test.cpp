@@ -5,6 +5,8 @@
 
 #include "reference/random_problems.hpp"
 
+BOOST_AUTO_TEST_SUITE(rays)
+
 using namespace porowave;
 using namespace porowave::reference;
 
@@ -43,8 +45,6 @@ FieldVector by_boundary_system(const Problem& problem, const WaveModes& modes, d
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(rays)
 
 BOOST_AUTO_TEST_CASE(their_sum_is_the_solution_of_the_boundary_system) {
   fixtures::RandomProblems random(1);

@@ -13,6 +13,8 @@
 #include "reference/modal.hpp"
 #include "reference/random_problems.hpp"
 
+BOOST_AUTO_TEST_SUITE(routes)
+
 using namespace porowave;
 using namespace porowave::reference;
 
@@ -104,8 +106,6 @@ Point any_point(fixtures::RandomProblems& random) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(routes)
 
 BOOST_AUTO_TEST_CASE(a_thousand_smooth_problems_agree_between_contour_and_modes_to_1e_10) {
   fixtures::RandomProblems random(101);

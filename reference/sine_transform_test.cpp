@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-using namespace porowave::reference;
-
 BOOST_AUTO_TEST_SUITE(sine_transform)
+
+using namespace porowave::reference;
 
 BOOST_AUTO_TEST_CASE(the_transform_is_the_sum_with_fewer_and_with_more_amplitudes_than_nodes) {
   for (const std::size_t intervals : {1u, 2u, 5u, 16u}) {

@@ -6,10 +6,10 @@
 #include "reference/profile.hpp"
 #include "reference/random_points.hpp"
 
+BOOST_AUTO_TEST_SUITE(smooth_pieces)
+
 using namespace porowave;
 using namespace porowave::reference;
-
-BOOST_AUTO_TEST_SUITE(smooth_pieces)
 
 BOOST_AUTO_TEST_CASE(pieces_end_at_all_fronts_of_the_load) {
   const ColumnSolution solution(fixtures::paper_problem(Load(LoadShape::block, 1.0, 1e-5)));

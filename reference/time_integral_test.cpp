@@ -7,6 +7,8 @@
 #include "reference/smooth_pieces.hpp"
 #include "reference/time_slice.hpp"
 
+BOOST_AUTO_TEST_SUITE(time_integral)
+
 using namespace porowave;
 using namespace porowave::reference;
 namespace tt = boost::test_tools;
@@ -32,7 +34,7 @@ Problem problem_of(fixtures::RandomProblems& random, int ends, LoadShape shape, 
 /// Middle of the longest smooth piece, and its length.
 std::pair<double, double> smooth_place(const ColumnSolution& solution, double t, double length) {
   const double end = std::min(length, solution.modes().speed(0) * t);
-  const auto ends = smooth_pieces(solution, t, end);
+  const auto ends = reference::smooth_pieces(solution, t, end);
   std::pair<double, double> best;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
     const double size = ends[i + 1] - ends[i];
@@ -69,8 +71,6 @@ double of_rates(const ColumnSolution& solution, double x, double t, double step)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(time_integral)
 
 BOOST_AUTO_TEST_CASE(strains_and_rates_fit_the_fields_for_all_ends_and_loads) {
   fixtures::RandomProblems random(11);

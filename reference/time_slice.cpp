@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/constants.hpp"
 #include "reference/contour_choice.hpp"
 #include "reference/problem/errors.hpp"
 #include "reference/waves.hpp"
@@ -14,7 +15,6 @@ namespace porowave::reference {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// Relative error of an arrival time: a few roundings of speeds, paths and their sum.
 constexpr double arrival_rounding = 8.0 * epsilon;
 /// A bound as small as this share of the load is as good as any.

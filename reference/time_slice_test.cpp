@@ -7,10 +7,10 @@
 #include "reference/problem/problem_fixtures.hpp"
 #include "reference/random_points.hpp"
 
+BOOST_AUTO_TEST_SUITE(time_slice)
+
 using namespace porowave;
 using namespace porowave::reference;
-
-BOOST_AUTO_TEST_SUITE(time_slice)
 
 BOOST_AUTO_TEST_CASE(contours_found_for_other_points_give_the_same_values) {
   fixtures::RandomPoints random(5);

@@ -9,6 +9,8 @@
 #include "reference/problem/problem_fixtures.hpp"
 #include "reference/random_problems.hpp"
 
+BOOST_AUTO_TEST_SUITE(waves)
+
 using namespace porowave;
 using namespace porowave::reference;
 namespace tt = boost::test_tools;
@@ -49,8 +51,6 @@ double order(double larger, double smaller, double factor) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(waves)
 
 BOOST_AUTO_TEST_CASE(scales_of_the_papers_column) {
   const WaveScales scales = wave_scales(fixtures::paper_material());

@@ -10,6 +10,8 @@
 #include "reports/test_directory.hpp"
 #include "reports/test_pictures.hpp"
 
+BOOST_AUTO_TEST_SUITE(figures)
+
 using namespace porowave;
 using namespace porowave::reports;
 using namespace porowave::tests;
@@ -79,8 +81,6 @@ ConvergenceCurve curve(const std::string& title, double error) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(figures)
 
 BOOST_AUTO_TEST_CASE(a_row_is_the_reference_and_the_points_of_both_phases) {
   const std::vector<ProfileRow> rows = {row_at(2e-5), row_at(4e-5)};

@@ -8,6 +8,8 @@
 #include "reports/test_directory.hpp"
 #include "reports/test_pictures.hpp"
 
+BOOST_AUTO_TEST_SUITE(gnuplot)
+
 using namespace porowave;
 using namespace porowave::reports;
 using namespace porowave::tests;
@@ -38,8 +40,6 @@ std::string drawing_error(const Figure& figure, const TestDirectory& folder) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(gnuplot)
 
 BOOST_AUTO_TEST_CASE(gnuplot_reads_strings_as_they_are) {
   const TestDirectory folder;

@@ -10,6 +10,8 @@
 #include "reference/problem/errors.hpp"
 #include "reports/test_directory.hpp"
 
+BOOST_AUTO_TEST_SUITE(output_file)
+
 using namespace porowave;
 using namespace porowave::reports;
 using namespace porowave::tests;
@@ -44,8 +46,6 @@ class NoSpace {
 };
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(output_file)
 
 BOOST_AUTO_TEST_CASE(a_file_has_exactly_the_text) {
   const TestDirectory folder;

@@ -9,6 +9,8 @@
 #include "reports/test_program.hpp"
 #include "verification/sweep/sweep.hpp"
 
+BOOST_AUTO_TEST_SUITE(program_adapter)
+
 using namespace porowave::tests;
 using namespace porowave::verification;
 namespace fs = std::filesystem;
@@ -46,8 +48,6 @@ std::vector<std::string> commands_of(const std::string& text) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(program_adapter)
 
 BOOST_AUTO_TEST_CASE(our_solver_behind_an_adapter_has_the_errors_it_has_inside) {
   const TestDirectory folder;

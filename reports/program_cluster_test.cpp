@@ -4,6 +4,8 @@
 #include "reports/test_program.hpp"
 #include "verification/store/store.hpp"
 
+BOOST_AUTO_TEST_SUITE(program_cluster)
+
 using namespace porowave::tests;
 using porowave::verification::CaseStatus;
 using porowave::verification::Record;
@@ -65,8 +67,6 @@ std::size_t lines_in(const fs::path& file) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(program_cluster)
 
 BOOST_AUTO_TEST_CASE(tasks_and_merge_are_submitted_and_again_only_what_is_missing) {
   const TestDirectory folder;

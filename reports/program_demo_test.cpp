@@ -6,9 +6,9 @@
 #include "reports/test_pictures.hpp"
 #include "reports/test_program.hpp"
 
-using namespace porowave::tests;
-
 BOOST_AUTO_TEST_SUITE(program_demo)
+
+using namespace porowave::tests;
 
 BOOST_AUTO_TEST_CASE(the_example_writes_all_it_lists) {
   const TestDirectory folder;

@@ -3,9 +3,9 @@
 #include "reports/test_pictures.hpp"
 #include "reports/test_program.hpp"
 
-using namespace porowave::tests;
-
 BOOST_AUTO_TEST_SUITE(program_explain)
+
+using namespace porowave::tests;
 
 BOOST_AUTO_TEST_CASE(it_lists_the_groups_of_waves_and_draws_the_plane) {
   const TestDirectory directory;

@@ -3,6 +3,8 @@
 #include "reports/test_program.hpp"
 #include "verification/store/store.hpp"
 
+BOOST_AUTO_TEST_SUITE(program_gate)
+
 using namespace porowave::tests;
 using porowave::verification::Record;
 using porowave::verification::Store;
@@ -39,8 +41,6 @@ struct Gate {
 };
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(program_gate)
 
 BOOST_AUTO_TEST_CASE(exit_codes_of_all_five_verdicts) {
   const Gate gate;

@@ -6,6 +6,8 @@
 #include "reports/test_csv.hpp"
 #include "reports/test_program.hpp"
 
+BOOST_AUTO_TEST_SUITE(program_grade)
+
 using namespace porowave::tests;
 using Json = nlohmann::json;
 
@@ -45,8 +47,6 @@ void check_refused(const std::string& text, const std::vector<std::string>& part
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(program_grade)
 
 BOOST_AUTO_TEST_CASE(the_errors_of_the_peer) {
   const std::vector<double> expected = {0.0372, 0.1099, 0.0344, 0.0839};

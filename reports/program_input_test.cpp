@@ -6,6 +6,8 @@
 
 #include "reports/test_program.hpp"
 
+BOOST_AUTO_TEST_SUITE(program_input)
+
 using namespace porowave::tests;
 namespace fs = std::filesystem;
 
@@ -47,8 +49,6 @@ void check_line(const CaseText& text, const std::string& table, const std::strin
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(program_input)
 
 BOOST_AUTO_TEST_CASE(a_file_that_is_missing) {
   const TestDirectory folder;

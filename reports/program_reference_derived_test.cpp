@@ -5,6 +5,8 @@
 #include "reports/test_csv.hpp"
 #include "reports/test_program.hpp"
 
+BOOST_AUTO_TEST_SUITE(program_reference_derived)
+
 using namespace porowave::tests;
 using porowave::reference::ColumnSolution;
 
@@ -18,8 +20,6 @@ porowave::reports::ProcessResult run(const std::vector<std::string>& options,
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(program_reference_derived)
 
 BOOST_AUTO_TEST_CASE(derived_columns_follow_the_others_which_stay_as_they_are) {
   const std::vector<std::string> options = {"--x", "0:0.1:5", "--t", "1e-5,4e-5"};

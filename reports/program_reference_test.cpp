@@ -5,6 +5,8 @@
 #include "reports/test_csv.hpp"
 #include "reports/test_program.hpp"
 
+BOOST_AUTO_TEST_SUITE(program_reference)
+
 using namespace porowave::tests;
 
 namespace {
@@ -14,8 +16,6 @@ std::vector<std::string> reference_arguments(const std::string& x, const std::st
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(program_reference)
 
 BOOST_AUTO_TEST_CASE(the_table_has_the_columns_and_rows_that_were_asked_for) {
   const auto result = run_porowave(reference_arguments("0:0.1:11", "1e-5,4e-5"));

@@ -7,8 +7,10 @@
 #include "reports/test_program.hpp"
 #include "verification/store/store.hpp"
 
+BOOST_AUTO_TEST_SUITE(program_report_page)
+
 using namespace porowave::tests;
-using namespace porowave::reports::fixtures;
+using namespace porowave::reports::report_fixtures;
 using porowave::reports::ProcessResult;
 using porowave::reports::run_process;
 using porowave::verification::Store;
@@ -90,8 +92,6 @@ void check_steps(const std::string& steps, std::vector<std::string> options = {}
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(program_report_page)
 
 BOOST_AUTO_TEST_CASE(a_reader_sorts_filters_and_opens_a_case) {
   if (!has_browser()) return;

@@ -6,6 +6,8 @@
 #include "reports/test_program.hpp"
 #include "verification/store/store.hpp"
 
+BOOST_AUTO_TEST_SUITE(program_report)
+
 using namespace porowave::tests;
 using porowave::verification::Record;
 using porowave::verification::Store;
@@ -47,8 +49,6 @@ struct Report {
 };
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(program_report)
 
 BOOST_AUTO_TEST_CASE(a_swept_store_becomes_a_report_twice_the_same) {
   const Report report;
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(stores_with_failures_one_level_and_nothing) {
   Store::create_or_open(store);
   BOOST_TEST(report().exit_code == 0);
   BOOST_TEST(contains(report.page(), "the store holds no cases"));
-  using namespace porowave::reports::fixtures;
+  using namespace porowave::reports::report_fixtures;
   Store::create_or_open(store).add({broken(row({}, 0.1))});
   BOOST_TEST(report().exit_code == 0);
   BOOST_TEST(contains(report.page(), "trial: 1 cases, 1 broke down"));
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(stores_with_failures_one_level_and_nothing) {
 
 BOOST_AUTO_TEST_CASE(two_stores_are_compared) {
   const Report report;
-  using namespace porowave::reports::fixtures;
+  using namespace porowave::reports::report_fixtures;
   Store::create_or_open((report.folder / "results").string()).add(full_study());
   auto rows = full_study();
   for (Record& row : rows) {
@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused_and_leaves_nothing) {
              "no database, but long enough to be taken for a file of it");
   check_failure(report(), 2, {"results"});
   std::filesystem::remove(report.folder / "results");
-  using namespace porowave::reports::fixtures;
+  using namespace porowave::reports::report_fixtures;
   Store::create_or_open((report.folder / "results").string()).add(full_study());
   check_failure(report({"--study", "none.toml"}), 2, {"none.toml"});
   check_failure(report({"--baseline", "b.csv"}), 2, {"--baseline", "--study"});
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused_and_leaves_nothing) {
 
 BOOST_AUTO_TEST_CASE(an_environment_that_cannot_is_exit_5) {
   const Report report;
-  using namespace porowave::reports::fixtures;
+  using namespace porowave::reports::report_fixtures;
   Store::create_or_open((report.folder / "results").string()).add(full_study());
   write_text(report.folder / "file", "");
   check_failure(report({}, "file"), 5, {"file"});

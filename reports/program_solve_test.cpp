@@ -6,6 +6,8 @@
 #include "reports/test_csv.hpp"
 #include "reports/test_program.hpp"
 
+BOOST_AUTO_TEST_SUITE(program_solve)
+
 using namespace porowave::tests;
 using Json = nlohmann::json;
 
@@ -34,8 +36,6 @@ CaseText exploding_case() {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(program_solve)
 
 BOOST_AUTO_TEST_CASE(the_table_has_every_point_of_both_phases) {
   const TestDirectory folder;

@@ -4,6 +4,8 @@
 #include "reports/test_pictures.hpp"
 #include "reports/test_program.hpp"
 
+BOOST_AUTO_TEST_SUITE(program_stability)
+
 using namespace porowave::tests;
 
 namespace {
@@ -25,8 +27,6 @@ porowave::reports::ProcessResult stability(const CaseText& text, const TestDirec
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(program_stability)
 
 BOOST_AUTO_TEST_CASE(it_prints_the_critical_step_and_estimates) {
   const TestDirectory folder;

@@ -11,6 +11,8 @@
 #include "reports/test_program.hpp"
 #include "verification/store/store.hpp"
 
+BOOST_AUTO_TEST_SUITE(program_sweep)
+
 using namespace porowave::tests;
 using porowave::verification::Record;
 using porowave::verification::Store;
@@ -67,8 +69,6 @@ bool kill_after(const TestDirectory& folder, int milliseconds) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(program_sweep)
 
 BOOST_AUTO_TEST_CASE(a_sweep_killed_ten_times_ends_with_the_rows_of_one_that_was_not) {
   const TestDirectory folder;

@@ -2,6 +2,8 @@
 
 #include "reports/test_program.hpp"
 
+BOOST_AUTO_TEST_SUITE(program_usage)
+
 using namespace porowave::tests;
 
 namespace {
@@ -10,8 +12,6 @@ const std::vector<std::string> commands = {"reference", "waves",     "solve", "g
                                            "report",    "stability", "demo"};
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(program_usage)
 
 BOOST_AUTO_TEST_CASE(help_and_version_of_every_command) {
   std::vector<std::vector<std::string>> prefixes = {{}};

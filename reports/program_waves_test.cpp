@@ -6,6 +6,8 @@
 #include "reports/test_csv.hpp"
 #include "reports/test_program.hpp"
 
+BOOST_AUTO_TEST_SUITE(program_waves)
+
 using namespace porowave::tests;
 using porowave::reference::WaveModes;
 namespace tt = boost::test_tools;
@@ -25,8 +27,6 @@ std::string problem_text(const std::string& column, const std::string& load) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(program_waves)
 
 BOOST_AUTO_TEST_CASE(the_summary_has_the_scales_of_the_problem) {
   const auto result = waves({});

@@ -6,6 +6,8 @@
 
 #include "reports/test_pictures.hpp"
 
+BOOST_AUTO_TEST_SUITE(solver_figures)
+
 using namespace porowave;
 using namespace porowave::reports;
 using namespace porowave::tests;
@@ -41,8 +43,6 @@ std::vector<std::string> words(const std::string& line) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(solver_figures)
 
 BOOST_AUTO_TEST_CASE(a_method_is_a_curve_in_the_panel_of_its_family) {
   const auto measured = measurements();

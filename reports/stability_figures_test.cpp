@@ -5,6 +5,8 @@
 #include "reference/problem/problem_fixtures.hpp"
 #include "reports/test_pictures.hpp"
 
+BOOST_AUTO_TEST_SUITE(stability_figures)
+
 using namespace porowave;
 using namespace porowave::reports;
 using namespace porowave::tests;
@@ -41,8 +43,6 @@ int blocks(const Figure& figure) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(stability_figures)
 
 BOOST_AUTO_TEST_CASE(a_mode_has_two_panels_of_its_own) {
   const auto found = stability_of(1.4);

@@ -5,6 +5,8 @@
 #include "reference/problem/toml_document.hpp"
 #include "reports/test_pictures.hpp"
 
+BOOST_AUTO_TEST_SUITE(stability_map_figure)
+
 using namespace porowave;
 using namespace porowave::reports;
 using namespace porowave::tests;
@@ -32,8 +34,6 @@ std::string text(const Figure& figure, const std::string& variable) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(stability_map_figure)
 
 BOOST_AUTO_TEST_CASE(first_axes_go_down_and_the_others_across) {
   const auto study = verification::load_study(map_study);

@@ -8,6 +8,9 @@
 #include "solver/weights.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(adaptive_support)
+
 namespace {
 
 const double natural = 1.0;  // h = 1 in these tests
@@ -31,8 +34,6 @@ std::vector<Vector<1>> nodes_and_middles(int cells) {
 Support adaptive(int order) {
   return {natural, largest_adaptive_radius, well_conditioned_limit(order)};
 }
-
-BOOST_AUTO_TEST_SUITE(adaptive_support)
 
 BOOST_AUTO_TEST_CASE(a_fixed_support_is_evaluated_once_whatever_it_gives) {
   int calls = 0;
@@ -151,7 +152,8 @@ BOOST_AUTO_TEST_CASE(supports_that_make_no_sense_are_refused) {
   BOOST_CHECK_THROW(rows({1.0, INFINITY, 10.0}), std::invalid_argument);
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

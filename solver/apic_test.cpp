@@ -9,6 +9,9 @@
 #include "solver/transfer_fixtures.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(apic)
+
 namespace {
 
 using namespace test;
@@ -43,8 +46,6 @@ double momentum(const PhasePoints& points, double density) {
   }
   return sum;
 }
-
-BOOST_AUTO_TEST_SUITE(apic)
 
 // D = h²/4 and h²/3 where no end is near.
 BOOST_AUTO_TEST_CASE(the_moment_is_that_of_the_spline) {
@@ -138,7 +139,8 @@ BOOST_AUTO_TEST_CASE(a_run_conserves_momentum) {
   }
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

@@ -8,9 +8,6 @@ namespace porowave::solver {
 
 namespace {
 
-constexpr std::size_t lanes = BandedRows::lanes;
-constexpr std::size_t eights_of_block = BandedRows::block_rows / lanes;
-
 struct Pair {
   const double* solid;
   const double* fluid;
@@ -90,7 +87,7 @@ BandedPair::BandedPair(const std::shared_ptr<const BandedRows>& solid,
   }
 }
 
-void BandedPair::append_block(Range rows, const BandedRows& solid, const BandedRows& fluid) {
+void BandedPair::append_block(IndexRange rows, const BandedRows& solid, const BandedRows& fluid) {
   const bool filled = rows.first < solid.row_count();
   const std::size_t block = rows.first / BandedRows::block_rows;
   const BandedRows::Band s = filled ? solid.band(block) : BandedRows::Band{0, 1};
@@ -110,7 +107,7 @@ void BandedPair::append_block(Range rows, const BandedRows& solid, const BandedR
   }
 }
 
-void BandedPair::multiply(Range eights, const double* solid_in, const double* fluid_in,
+void BandedPair::multiply(IndexRange eights, const double* solid_in, const double* fluid_in,
                           double* solid_out, double* fluid_out) const {
   const Block& block = blocks_[eights.first / eights_of_block];
   const auto width = static_cast<std::size_t>(block.width);

@@ -23,8 +23,8 @@ class BandedPair {
   // The rows 8 eights.first ... 8 eights.last − 1, all of one block of BandedRows::block_rows.
   // `in` belongs to row 0 and must be padded by reach(), and to a multiple of eight; `out` belongs
   // to the first row wanted.
-  void multiply(Range eights, const double* solid_in, const double* fluid_in, double* solid_out,
-                double* fluid_out) const;
+  void multiply(IndexRange eights, const double* solid_in, const double* fluid_in,
+                double* solid_out, double* fluid_out) const;
 
  private:
   struct Block {
@@ -32,7 +32,7 @@ class BandedPair {
     int width;
     std::size_t first_value;
   };
-  void append_block(Range rows, const BandedRows& solid, const BandedRows& fluid);
+  void append_block(IndexRange rows, const BandedRows& solid, const BandedRows& fluid);
 
   bool shared_ = false;
   std::size_t reach_ = 0;

@@ -7,8 +7,6 @@ namespace porowave::solver {
 
 namespace {
 
-constexpr std::size_t lanes = BandedRows::lanes;
-
 // Row r of a block, one value at a time.
 POROWAVE_INLINE double one_row(std::size_t width, const double* values, const double* in,
                                std::size_t r) {
@@ -22,7 +20,7 @@ POROWAVE_INLINE double one_row(std::size_t width, const double* values, const do
 // one that is known only at run time.
 template <std::size_t Width>
 POROWAVE_INLINE void multiply_rows(std::size_t any_width, const double* __restrict values,
-                                   const double* __restrict in, Range rows,
+                                   const double* __restrict in, IndexRange rows,
                                    double* __restrict out) {
   const std::size_t width = Width > 0 ? Width : any_width;
   std::size_t r = rows.first;
@@ -43,7 +41,7 @@ POROWAVE_INLINE void multiply_rows(std::size_t any_width, const double* __restri
 
 // The sum of a row is taken in the order of its columns, whatever the form.
 POROWAVE_VECTORISED void multiply_block(std::size_t width, const double* values, const double* in,
-                                        Range rows, double* out) {
+                                        IndexRange rows, double* out) {
   switch (width) {
     case 1:
       return multiply_rows<1>(width, values, in, rows, out);
@@ -68,11 +66,11 @@ POROWAVE_VECTORISED void multiply_block(std::size_t width, const double* values,
 
 BandedRows::Block BandedRows::band_of(const RangeRows& outer,
                                       const std::function<PointRow(std::size_t)>& inner,
-                                      Range rows) const {
+                                      IndexRange rows) const {
   int lowest = 0;
   int highest = 0;
   for (std::size_t r = rows.first; r < rows.last; ++r) {
-    const Range points = outer.columns(r);
+    const IndexRange points = outer.columns(r);
     for (std::size_t p = points.first; p < points.last; ++p) {
       const int first = inner(p).first - static_cast<int>(r);
       lowest = std::min(lowest, first);
@@ -85,7 +83,7 @@ BandedRows::Block BandedRows::band_of(const RangeRows& outer,
 BandedRows::BandedRows(const RangeRows& outer, const std::function<PointRow(std::size_t)>& inner)
     : row_count_(outer.row_count()) {
   for (std::size_t begin = 0; begin < outer.row_count(); begin += block_rows) {
-    const Range rows{begin, std::min(begin + block_rows, outer.row_count())};
+    const IndexRange rows{begin, std::min(begin + block_rows, outer.row_count())};
     const Block block = band_of(outer, inner, rows);
     blocks_.push_back(block);
     const auto width = static_cast<std::size_t>(block.width);
@@ -93,7 +91,7 @@ BandedRows::BandedRows(const RangeRows& outer, const std::function<PointRow(std:
     const auto farthest = std::max(-block.lowest, block.lowest + block.width - 1);
     reach_ = std::max(reach_, static_cast<std::size_t>(farthest));
     for (std::size_t r = rows.first; r < rows.last; ++r) {
-      const Range points = outer.columns(r);
+      const IndexRange points = outer.columns(r);
       for (std::size_t p = points.first; p < points.last; ++p) {
         const double weight = outer.values[outer.row_offsets[r] + p - points.first];
         const PointRow row = inner(p);
@@ -118,7 +116,7 @@ double BandedRows::value(std::size_t row, int diagonal) const {
   return values_[block.first_value + (k / lanes * width + d) * lanes + k % lanes];
 }
 
-void BandedRows::multiply(Range rows, const double* in, double* out) const {
+void BandedRows::multiply(IndexRange rows, const double* in, double* out) const {
   for (std::size_t r = rows.first; r < rows.last;) {
     const std::size_t begin = r / block_rows * block_rows;
     const std::size_t end = std::min(begin + block_rows, rows.last);

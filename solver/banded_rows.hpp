@@ -51,7 +51,7 @@ class BandedRows {
   // The value of a row on a diagonal (column minus row); zero outside the band.
   double value(std::size_t row, int diagonal) const;
   // out[k] = row (rows.first + k) times `in`, which must be padded by reach() at least.
-  void multiply(Range rows, const double* in, double* out) const;
+  void multiply(IndexRange rows, const double* in, double* out) const;
 
  private:
   struct Block {
@@ -60,12 +60,15 @@ class BandedRows {
     std::size_t first_value;
   };
   Block band_of(const RangeRows& outer, const std::function<PointRow(std::size_t)>& inner,
-                Range rows) const;
+                IndexRange rows) const;
 
   std::vector<Block> blocks_;
   std::vector<double> values_;  // per block, per eight rows: diagonal by diagonal
   std::size_t row_count_ = 0;
   std::size_t reach_ = 0;
 };
+
+inline constexpr std::size_t lanes = BandedRows::lanes;
+inline constexpr std::size_t eights_of_block = BandedRows::block_rows / lanes;
 
 }  // namespace porowave::solver

@@ -3,7 +3,7 @@
 namespace porowave::solver {
 
 void add_body_force(const BodyForce& force, double t, double share, const Material& material,
-                    const Grid<1>& grid, const FilledVolumes& volumes, Range nodes,
+                    const Grid<1>& grid, const FilledVolumes& volumes, IndexRange nodes,
                     double* effective, double* pressure) {
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const std::size_t i = nodes.first + k;

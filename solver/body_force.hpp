@@ -37,7 +37,7 @@ struct FilledVolumes {
 // pressure, N, from the first node of the range on, from which f_s = effective − n_s pressure and
 // f_f = −n_f pressure are made: with share 1, f_s grows by b_s V_s and f_f by b_f V_f.
 void add_body_force(const BodyForce& force, double t, double share, const Material& material,
-                    const Grid<1>& grid, const FilledVolumes& volumes, Range nodes,
+                    const Grid<1>& grid, const FilledVolumes& volumes, IndexRange nodes,
                     double* effective, double* pressure);
 
 }  // namespace porowave::solver

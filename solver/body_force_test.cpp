@@ -7,6 +7,8 @@
 #include "reference/problem/problem_fixtures.hpp"
 #include "solver/column_solver.hpp"
 
+BOOST_AUTO_TEST_SUITE(body_force)
+
 using namespace porowave;
 using namespace porowave::solver;
 
@@ -30,8 +32,6 @@ double momentum(const PhasePoints& points, double density) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(body_force)
 
 BOOST_AUTO_TEST_CASE(each_phase_gets_its_force) {
   const Material m = fixtures::paper_material();

@@ -7,6 +7,9 @@
 #include "solver/case_fixtures.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(case_refusal)
+
 namespace {
 
 using namespace test;
@@ -81,8 +84,6 @@ void check_ranges_of_time() {
   BOOST_TEST(refusal("flip = 0.75", "flip = -0.1") ==
              "case.toml:37: [time] flip = -0.1: expected a number >= 0 and <= 1");
 }
-
-BOOST_AUTO_TEST_SUITE(case_refusal)
 
 BOOST_AUTO_TEST_CASE(the_shape_transfer_refuses_what_belongs_to_mls) {
   BOOST_TEST(shape_refusal("kernel = 1") ==
@@ -235,7 +236,8 @@ BOOST_AUTO_TEST_CASE(the_problem_is_checked_as_well) {
              "10000000");
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

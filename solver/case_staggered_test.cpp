@@ -5,6 +5,9 @@
 #include "solver/case_fixtures.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(case_staggered)
+
 namespace {
 
 using namespace test;
@@ -14,8 +17,6 @@ std::string staggered(const std::string& lines, const std::string& time = "") {
   return problem_only + "[discretization]\n" + lines +
          "\nelements = 200\nscheme = \"staggered4\"\n[time]\nend = 1\n" + time;
 }
-
-BOOST_AUTO_TEST_SUITE(case_staggered)
 
 BOOST_AUTO_TEST_CASE(it_has_its_own_defaults) {
   const Discretization d = read(staggered("")).discretization;
@@ -68,7 +69,8 @@ BOOST_AUTO_TEST_CASE(what_does_not_belong_to_it_is_refused) {
                  with_scheme + ", which eliminates the points");
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

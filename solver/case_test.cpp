@@ -11,15 +11,16 @@
 #include "solver/case_fixtures.hpp"
 
 namespace porowave::solver {
-namespace {
-
-using namespace test;
 
 // The suite is named as its stem, which is a keyword and cannot name the namespace that
 // BOOST_AUTO_TEST_SUITE makes; these two lines are what that macro stands for.
 namespace case_suite {
 BOOST_AUTO_TU_REGISTRAR(case_suite)
 ("case", __FILE__, __LINE__, boost::unit_test::decorator::collector_t::instance());
+
+namespace {
+
+using namespace test;
 
 BOOST_AUTO_TEST_CASE(a_full_case_is_read_with_all_its_values) {
   const Case scene = read(full);
@@ -137,7 +138,8 @@ BOOST_AUTO_TEST_CASE(a_file_is_read_and_named_in_messages) {
   });
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

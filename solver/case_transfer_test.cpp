@@ -6,6 +6,9 @@
 #include "solver/case_fixtures.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(case_transfer)
+
 namespace {
 
 using namespace test;
@@ -15,8 +18,6 @@ std::string lines(const std::string& discretization, const std::string& time = "
   return problem_only + "[discretization]\n" + discretization +
          "\nelements = 8\n[time]\nend = 1\n" + time;
 }
-
-BOOST_AUTO_TEST_SUITE(case_transfer)
 
 BOOST_AUTO_TEST_CASE(shape_takes_every_shape_function) {
   for (const std::string word : {"bspline1", "bspline2", "bspline3", "gimp", "cpgimp"}) {
@@ -124,7 +125,8 @@ BOOST_AUTO_TEST_CASE(frozen_is_for_points_that_can_be_eliminated) {
                  .starts_with("case.toml:25: [time] path = \"frozen\""));
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

@@ -52,10 +52,10 @@ class ColumnOperators {
 
   // Nodal velocity (m/s) and force (N) of the nodes [nodes.first, nodes.last), from the velocities
   // and stresses of all points. Both results are as long as the range.
-  virtual void gather(const PointValues& points, Range nodes, double* nodal_velocity,
+  virtual void gather(const PointValues& points, IndexRange nodes, double* nodal_velocity,
                       double* force) const = 0;
   // Updates the points of the cells [cells.first, cells.last).
-  virtual void scatter(const PointUpdate& update, Range cells, PointValues& points) const = 0;
+  virtual void scatter(const PointUpdate& update, IndexRange cells, PointValues& points) const = 0;
   // Σ_i N_i(x_p) u_i for all points, and with ∂N_i.
   virtual void to_points(const double* nodal, double* at_points) const = 0;
   virtual void gradient_at_points(const double* nodal, double* at_points) const = 0;
@@ -66,7 +66,7 @@ class ColumnOperators {
   // How many nodes farther the velocity of a node can be felt after a step, at most.
   virtual std::size_t reach() const = 0;
   // The points of the cells [cells.first, cells.last); all points if there are no parts.
-  virtual Range points_of(Range cells) const = 0;
+  virtual IndexRange points_of(IndexRange cells) const = 0;
 };
 
 struct PreparedPhase {

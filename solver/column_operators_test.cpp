@@ -6,6 +6,8 @@
 #include "solver/column_fixtures.hpp"
 #include "solver/general_operators.hpp"
 
+BOOST_AUTO_TEST_SUITE(column_operators)
+
 using namespace porowave::solver;
 using test::largest_difference;
 using test::noise;
@@ -60,8 +62,6 @@ std::size_t felt_from(std::size_t node, const ColumnOperators& operators, std::s
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(column_operators)
 
 BOOST_AUTO_TEST_CASE(nothing_is_felt_beyond_the_reach) {
   test::for_all_columns([](const auto& points, const auto& grid, const auto& choice) {

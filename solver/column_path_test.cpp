@@ -7,6 +7,8 @@
 #include "solver/column_fixtures.hpp"
 #include "solver/column_solver.hpp"
 
+BOOST_AUTO_TEST_SUITE(column_path)
+
 using namespace porowave;
 using namespace porowave::solver;
 using test::largest_difference;
@@ -59,8 +61,6 @@ Case moving_scene(StepPath path) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(column_path)
 
 BOOST_AUTO_TEST_CASE(frozen_is_points_after_ten_thousand_steps) {
   const double found = path_difference(scene_with(100, 10'000, StepPath::automatic));

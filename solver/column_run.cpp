@@ -81,7 +81,7 @@ void ColumnSolver::start_from(const std::function<Fields(double x, double t)>& f
 }
 
 // Where nothing was before t = 0, the first step feels the force for its second half only.
-void ColumnSolver::add_body_force(Range nodes, double* effective, double* pressure) const {
+void ColumnSolver::add_body_force(IndexRange nodes, double* effective, double* pressure) const {
   const double share = step_ > 0 || has_past_ ? 1.0 : 0.5;
   solver::add_body_force(body_force_, time(), share, scene_.problem.material, grid_,
                          {solid_.nodes.volume, fluid_.nodes.volume}, nodes, effective, pressure);

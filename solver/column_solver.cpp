@@ -233,14 +233,14 @@ StepLoad ColumnSolver::load_between(double before, double after) const {
   return {load.mean(before, after), load.value(before), load.value(after)};
 }
 
-Range ColumnSolver::part(std::size_t k) const {
+IndexRange ColumnSolver::part(std::size_t k) const {
   return {k * part_nodes_, std::min((k + 1) * part_nodes_, window_)};
 }
 
 // The parts [parts.first, parts.last), to the nodes and back to the points. A part can go back when
 // its neighbours have been to the nodes: then its values are still in the cache. What lies beside
 // the parts of another thread is left to finish_parts.
-bool ColumnSolver::sweep_parts(const StepLoad& load, Range parts, PartScratch& scratch) {
+bool ColumnSolver::sweep_parts(const StepLoad& load, IndexRange parts, PartScratch& scratch) {
   bool moved = false;
   for (std::size_t k = parts.first; k < parts.last; ++k) {
     moved = sweep_to_nodes(load, part(k), scratch) || moved;
@@ -249,7 +249,7 @@ bool ColumnSolver::sweep_parts(const StepLoad& load, Range parts, PartScratch& s
   return moved;
 }
 
-void ColumnSolver::finish_parts(Range parts, PartScratch& scratch) {
+void ColumnSolver::finish_parts(IndexRange parts, PartScratch& scratch) {
   for (std::size_t k = parts.first; k < parts.last; ++k) {
     const bool inside = k > parts.first && k + 1 < parts.last;
     if (!(lagged_ && inside)) sweep_to_points(part(k), scratch);
@@ -265,7 +265,7 @@ bool ColumnSolver::sweep(const StepLoad& load) {
     {
       const auto me = static_cast<std::size_t>(omp_get_thread_num());
       const auto all = static_cast<std::size_t>(omp_get_num_threads());
-      const Range mine{parts * me / all, parts * (me + 1) / all};
+      const IndexRange mine{parts * me / all, parts * (me + 1) / all};
       moved = sweep_parts(load, mine, scratch_[me]);
 #pragma omp barrier
       finish_parts(mine, scratch_[me]);
@@ -299,7 +299,7 @@ bool ColumnSolver::sweep_frozen(const StepLoad& load) {
   return frozen_->displacement_bound() > limit;
 }
 
-bool ColumnSolver::sweep_to_nodes(const StepLoad& load, Range nodes, PartScratch& scratch) {
+bool ColumnSolver::sweep_to_nodes(const StepLoad& load, IndexRange nodes, PartScratch& scratch) {
   solid_.prepared.operators->gather(
       solid_.values, nodes, solid_.nodes.velocity.data() + nodes.first, scratch.first.data());
   fluid_.prepared.operators->gather(
@@ -317,9 +317,9 @@ bool ColumnSolver::sweep_to_nodes(const StepLoad& load, Range nodes, PartScratch
   return moved;
 }
 
-void ColumnSolver::sweep_to_points(Range nodes, PartScratch& scratch) {
+void ColumnSolver::sweep_to_points(IndexRange nodes, PartScratch& scratch) {
   const Material& m = scene_.problem.material;
-  const Range cells{nodes.first, std::min(nodes.last, node_count_ - 1)};
+  const IndexRange cells{nodes.first, std::min(nodes.last, node_count_ - 1)};
   const double flip = scene_.time.flip;
   const auto at = [&](const std::vector<double>& nodal) { return nodal.data() + nodes.first; };
   const double* vs = at(solid_.nodes.new_velocity);

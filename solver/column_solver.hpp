@@ -149,17 +149,17 @@ class ColumnSolver {
   void freeze();
   void thaw();  // brings the points up to date
   StepLoad load_between(double before, double after) const;
-  Range part(std::size_t k) const;
+  IndexRange part(std::size_t k) const;
   bool sweep(const StepLoad& load);  // whether points have moved too far
   bool sweep_frozen(const StepLoad& load);
-  bool sweep_parts(const StepLoad& load, Range parts, PartScratch& scratch);
-  void finish_parts(Range parts, PartScratch& scratch);
-  bool sweep_to_nodes(const StepLoad& load, Range nodes, PartScratch& scratch);
-  void sweep_to_points(Range nodes, PartScratch& scratch);
+  bool sweep_parts(const StepLoad& load, IndexRange parts, PartScratch& scratch);
+  void finish_parts(IndexRange parts, PartScratch& scratch);
+  bool sweep_to_nodes(const StepLoad& load, IndexRange nodes, PartScratch& scratch);
+  void sweep_to_points(IndexRange nodes, PartScratch& scratch);
   void end_step(bool moved);
   void widen_window();
   void drive_otherwise();  // than by the load alone
-  void add_body_force(Range nodes, double* effective, double* pressure) const;
+  void add_body_force(IndexRange nodes, double* effective, double* pressure) const;
   void synchronise_velocities();  // half a step, after which the object cannot step on
   bool surely_bounded(double velocity, double stress) const;
   std::optional<Breakdown> find_breakdown() const;

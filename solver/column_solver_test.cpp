@@ -8,6 +8,8 @@
 #include "reference/problem/errors.hpp"
 #include "reference/problem/problem_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(column_solver)
+
 using namespace porowave;
 using namespace porowave::solver;
 
@@ -36,8 +38,6 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(column_solver)
 
 BOOST_AUTO_TEST_CASE(the_impulse_of_the_load_becomes_momentum) {
   // Until the far end is reached nothing else acts from outside. Drag and pressure are internal.

@@ -24,7 +24,7 @@ RangeRows volume_rows(const std::vector<std::size_t>& first_point,
 
 // The points [p, last) of one cell.
 POROWAVE_INLINE void scatter_to_cell(double flip, double low, double rise, double stress_rise,
-                                     const double* place, Range points, double* velocity,
+                                     const double* place, IndexRange points, double* velocity,
                                      double* stress) {
   std::size_t p = points.first;
   for (; p + 4 <= points.last; p += 4) {
@@ -42,7 +42,7 @@ POROWAVE_INLINE void scatter_to_cell(double flip, double low, double rise, doubl
 }
 
 POROWAVE_VECTORISED void scatter_to_cells(const PointUpdate& update, double per_spacing,
-                                          Range cells, const std::size_t* first_point,
+                                          IndexRange cells, const std::size_t* first_point,
                                           const double* place, double* velocity, double* stress) {
   const double factor = update.c * per_spacing;
   const auto change = [&](std::size_t k) {
@@ -90,14 +90,14 @@ CompactOperators::CompactOperators(Transfer<1>&& transfer, const PointSet<1>& po
   reach_ = reach_of_rows();
 }
 
-void CompactOperators::gather(const PointValues& points, Range nodes, double* nodal_velocity,
+void CompactOperators::gather(const PointValues& points, IndexRange nodes, double* nodal_velocity,
                               double* force) const {
   multiply(node_rows_, nodes, points.velocity.data(), nodal_velocity);
   const double* stress = points.stress.data();
   // Node i lies between the cells i − 1 and i; there is no stress beyond the ends.
   double before = 0.0;
   if (nodes.first > 0) multiply(cell_rows_, {nodes.first - 1, nodes.first}, stress, &before);
-  const Range cells{nodes.first, std::min(nodes.last, cell_count())};
+  const IndexRange cells{nodes.first, std::min(nodes.last, cell_count())};
   multiply(cell_rows_, cells, stress, force);
   if (cells.last < nodes.last) force[nodes.size() - 1] = 0.0;
   for (std::size_t k = 0; k < nodes.size(); ++k) {
@@ -107,7 +107,8 @@ void CompactOperators::gather(const PointValues& points, Range nodes, double* no
   }
 }
 
-void CompactOperators::scatter(const PointUpdate& update, Range cells, PointValues& points) const {
+void CompactOperators::scatter(const PointUpdate& update, IndexRange cells,
+                               PointValues& points) const {
   PointUpdate rest = update;
   if (!shared_strains_.empty()) {
     shared_strains_.add(cells, first_point_, place_in_cell_.data(), update.b, update.c / spacing_,
@@ -150,7 +151,7 @@ std::size_t CompactOperators::reach_of_rows() const {
   std::size_t reach = 0;
   for (const RangeRows* rows : {&node_rows_, &cell_rows_}) {
     for (std::size_t r = 0; r < rows->row_count(); ++r) {
-      const Range points = rows->columns(r);
+      const IndexRange points = rows->columns(r);
       if (points.size() == 0) continue;
       const std::size_t near = std::min(r, cell_count() - 1);
       const std::size_t first = cell_of(points.first, near);

@@ -16,15 +16,15 @@ class CompactOperators : public ColumnOperators {
   // Takes the rows of the transfer over. `points` must be those of the transfer, sorted by x.
   CompactOperators(Transfer<1>&& transfer, const PointSet<1>& points, const Grid<1>& grid);
 
-  void gather(const PointValues& points, Range nodes, double* nodal_velocity,
+  void gather(const PointValues& points, IndexRange nodes, double* nodal_velocity,
               double* force) const override;
-  void scatter(const PointUpdate& update, Range cells, PointValues& points) const override;
+  void scatter(const PointUpdate& update, IndexRange cells, PointValues& points) const override;
   void to_points(const double* nodal, double* at_points) const override;
   void gradient_at_points(const double* nodal, double* at_points) const override;
   std::vector<double> at_cell_centres(std::span<const double> stress) const override;
   bool works_on_parts() const override { return true; }
   std::size_t reach() const override { return reach_; }
-  Range points_of(Range cells) const override {
+  IndexRange points_of(IndexRange cells) const override {
     return {first_point_[cells.first], first_point_[cells.last]};
   }
 

@@ -100,7 +100,7 @@ POROWAVE_VECTORISED void update_cell_values(double solid, double fluid, const Ar
 std::vector<int> cells_of_points(const CompactOperators& compact) {
   std::vector<int> cell(compact.points_of({0, compact.cell_count()}).last);
   for (std::size_t c = 0; c < compact.cell_count(); ++c) {
-    const Range points = compact.points_of({c, c + 1});
+    const IndexRange points = compact.points_of({c, c + 1});
     std::fill(cell.begin() + static_cast<std::ptrdiff_t>(points.first),
               cell.begin() + static_cast<std::ptrdiff_t>(points.last), static_cast<int>(c));
   }
@@ -134,7 +134,7 @@ void settle_phase(const CompactOperators& at, const double* q, const double* e,
                   PointValues& points) {
   at.to_points(q, points.velocity.data());
   for (std::size_t c = 0; c < at.cell_count(); ++c) {
-    const Range there = at.points_of({c, c + 1});
+    const IndexRange there = at.points_of({c, c + 1});
     for (std::size_t p = there.first; p < there.last; ++p) {
       const PointRow row = at.shared_strains().row(c, at.place_in_cell(p));
       points.stress[p] = row.values[0] * e[row.first];
@@ -177,7 +177,7 @@ bool FrozenColumn::possible(const ColumnOperators& points) {
 }
 
 void FrozenColumn::update_specials(const Problem& problem, const StepLoad& load,
-                                   const PreparedUpdate& update, Range nodes, Scratch& at,
+                                   const PreparedUpdate& update, IndexRange nodes, Scratch& at,
                                    PhaseNodes& solid, PhaseNodes& fluid) const {
   for (const std::size_t i : update.special(nodes)) {
     const std::size_t k = i - nodes.first;
@@ -196,7 +196,7 @@ void FrozenColumn::update_specials(const Problem& problem, const StepLoad& load,
   }
 }
 
-void FrozenColumn::gather(Range eights, Scratch& at) const {
+void FrozenColumn::gather(IndexRange eights, Scratch& at) const {
   const std::size_t k = eights.first * 8 - at.first;
   to_nodes_->multiply(eights, nodes_.solid.data(), nodes_.fluid.data(),
                       at.solid_velocity.data() + k, at.fluid_velocity.data() + k);
@@ -211,7 +211,7 @@ void FrozenColumn::gather(Range eights, Scratch& at) const {
                       at.effective_stress.data() + k - 8, at.pore_pressure.data() + k - 8);
 }
 
-FrozenColumn::Squares FrozenColumn::update_values(Range eights, Scratch& at) {
+FrozenColumn::Squares FrozenColumn::update_values(IndexRange eights, Scratch& at) {
   const std::size_t first = eights.first * 8;
   const Arrays arrays = arrays_of(at, first);
   const double factor = constants_.pore_pressure / spacing_;
@@ -227,7 +227,7 @@ FrozenColumn::Squares FrozenColumn::update_values(Range eights, Scratch& at) {
                              new_nodes_.fluid.data() + first)};
 }
 
-FrozenColumn::Squares FrozenColumn::step_regular_nodes(Range eights, Scratch& at) {
+FrozenColumn::Squares FrozenColumn::step_regular_nodes(IndexRange eights, Scratch& at) {
   const std::size_t i = eights.first * 8;
   const double factor = constants_.pore_pressure / spacing_;
   double* solid = at.new_solid.data() + (i - at.first);
@@ -249,18 +249,18 @@ FrozenColumn::Squares FrozenColumn::step_regular_nodes(Range eights, Scratch& at
 }
 
 void FrozenColumn::step(const Problem& problem, const StepLoad& load, const PreparedUpdate& update,
-                        Range nodes, PhaseNodes& solid, PhaseNodes& fluid) {
+                        IndexRange nodes, PhaseNodes& solid, PhaseNodes& fluid) {
   Scratch at;  // large, and all that is read of it is written below
   at.first = nodes.first;
   const std::size_t eights = (nodes.size() + 7) / 8;
-  const Range part{nodes.first / 8, nodes.first / 8 + eights};
-  const Range run = regular_.in_block(nodes.first / part_nodes);
-  const Range regular{std::min(run.first, part.last), std::min(run.last, part.last)};
-  const std::array<Range, 2> others =
+  const IndexRange part{nodes.first / 8, nodes.first / 8 + eights};
+  const IndexRange run = regular_.in_block(nodes.first / part_nodes);
+  const IndexRange regular{std::min(run.first, part.last), std::min(run.last, part.last)};
+  const std::array<IndexRange, 2> others =
       regular.size() > 0
-          ? std::array{Range{part.first, regular.first}, Range{regular.last, part.last}}
-          : std::array{part, Range{part.last, part.last}};
-  for (const Range& other : others) {
+          ? std::array{IndexRange{part.first, regular.first}, IndexRange{regular.last, part.last}}
+          : std::array{part, IndexRange{part.last, part.last}};
+  for (const IndexRange& other : others) {
     if (other.size() == 0) continue;
     gather(other, at);
     move_nodes(&update.coefficients(other.first), constants_.solid_fraction, constants_.porosity,
@@ -272,7 +272,7 @@ void FrozenColumn::step(const Problem& problem, const StepLoad& load, const Prep
 
   Squares squares;
   if (regular.size() > 0) squares = step_regular_nodes(regular, at);
-  for (const Range& other : others) {
+  for (const IndexRange& other : others) {
     if (other.size() == 0) continue;
     const Squares there = update_values(other, at);
     squares.solid += there.solid;

@@ -57,8 +57,8 @@ class FrozenColumn {
 
   // A step of the nodes [nodes.first, nodes.last), nodes.first a multiple of part_nodes, not more
   // than that many. `solid` and `fluid` are used where `update` must ask update_node.
-  void step(const Problem& problem, const StepLoad& load, const PreparedUpdate& update, Range nodes,
-            PhaseNodes& solid, PhaseNodes& fluid);
+  void step(const Problem& problem, const StepLoad& load, const PreparedUpdate& update,
+            IndexRange nodes, PhaseNodes& solid, PhaseNodes& fluid);
   // After all parts of a step.
   void end_step();
   // An upper bound of the displacement of any node since the start, m.
@@ -89,11 +89,11 @@ class FrozenColumn {
   struct Squares {
     double solid = 0.0, fluid = 0.0;  // Σ v'²
   };
-  void gather(Range eights, Scratch& at) const;
-  Squares update_values(Range eights, Scratch& at);
-  Squares step_regular_nodes(Range eights, Scratch& at);
+  void gather(IndexRange eights, Scratch& at) const;
+  Squares update_values(IndexRange eights, Scratch& at);
+  Squares step_regular_nodes(IndexRange eights, Scratch& at);
   void update_specials(const Problem& problem, const StepLoad& load, const PreparedUpdate& update,
-                       Range nodes, Scratch& at, PhaseNodes& solid, PhaseNodes& fluid) const;
+                       IndexRange nodes, Scratch& at, PhaseNodes& solid, PhaseNodes& fluid) const;
 
   std::shared_ptr<const CompactOperators> solid_points_;
   std::shared_ptr<const CompactOperators> fluid_points_;

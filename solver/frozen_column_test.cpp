@@ -7,6 +7,8 @@
 #include "solver/column_fixtures.hpp"
 #include "solver/general_operators.hpp"
 
+BOOST_AUTO_TEST_SUITE(frozen_column)
+
 using namespace porowave;
 using namespace porowave::solver;
 using test::largest_difference;
@@ -140,8 +142,6 @@ void compare_regular(const PointSet<1>& points, const Discretization& choice, do
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(frozen_column)
 
 BOOST_AUTO_TEST_CASE(the_points_are_the_same_as_if_visited) {
   const auto other = test::column_points(3);

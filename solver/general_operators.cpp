@@ -6,7 +6,7 @@
 
 namespace porowave::solver {
 
-void GeneralOperators::gather(const PointValues& points, Range nodes, double* nodal_velocity,
+void GeneralOperators::gather(const PointValues& points, IndexRange nodes, double* nodal_velocity,
                               double* force) const {
   transfer_.to_nodes(points.velocity, {nodal_velocity, nodes.size()});
   transfer_.add_affine(points.velocity_gradient, 0, {nodal_velocity, nodes.size()});
@@ -16,7 +16,8 @@ void GeneralOperators::gather(const PointValues& points, Range nodes, double* no
   transfer_.add_divergence(quadrature, -1.0, 0, {force, nodes.size()});
 }
 
-void GeneralOperators::scatter(const PointUpdate& update, Range cells, PointValues& points) const {
+void GeneralOperators::scatter(const PointUpdate& update, IndexRange cells,
+                               PointValues& points) const {
   const std::size_t nodes = cells.size() + 1;
   if (update.xpic_order > 0) {
     remove_velocity_noise(transfer_, update.xpic_order, {update.before, nodes}, points.velocity);

@@ -12,9 +12,9 @@ class GeneralOperators : public ColumnOperators {
       : transfer_(std::move(transfer)), points_(points) {}
 
   // The ranges must be all nodes and all cells.
-  void gather(const PointValues& points, Range nodes, double* nodal_velocity,
+  void gather(const PointValues& points, IndexRange nodes, double* nodal_velocity,
               double* force) const override;
-  void scatter(const PointUpdate& update, Range cells, PointValues& points) const override;
+  void scatter(const PointUpdate& update, IndexRange cells, PointValues& points) const override;
   void to_points(const double* nodal, double* at_points) const override;
   void gradient_at_points(const double* nodal, double* at_points) const override;
   std::vector<double> at_cell_centres(std::span<const double> stress) const override {
@@ -22,7 +22,7 @@ class GeneralOperators : public ColumnOperators {
   }
   bool works_on_parts() const override { return false; }
   std::size_t reach() const override { return transfer_.nodal_mass().size(); }
-  Range points_of(Range) const override { return {0, points_}; }
+  IndexRange points_of(IndexRange) const override { return {0, points_}; }
 
  private:
   Transfer<1> transfer_;

@@ -8,6 +8,9 @@
 #include "solver/test_points.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(grid)
+
 namespace {
 
 // A grid with a different number of cells along each axis: 3, 4, 5.
@@ -36,8 +39,6 @@ template <int Dim>
 double linear_field(const Vector<Dim>& x) {
   return 1.5 + x.dot(Vector<Dim>::LinSpaced(-1.0, 2.0));
 }
-
-BOOST_AUTO_TEST_SUITE(grid)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(shape_functions_are_a_partition_of_unity, D, test::Dimensions) {
   constexpr int Dim = D::value;
@@ -188,7 +189,8 @@ BOOST_AUTO_TEST_CASE(refuses_a_grid_that_is_none) {
   BOOST_CHECK_THROW(Grid<2>({std::nan(""), 0.0}, 1.0, {2, 2}), std::invalid_argument);
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

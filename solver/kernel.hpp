@@ -86,7 +86,7 @@ constexpr double natural_radius(KernelName kernel) {
 // ---- evaluation ---------------------------------------------------------------------------------
 
 // w(r), dimensionless, and ∂w/∂r, in 1/length. With r = x_p − x the gradient in x is its negative.
-template <class Kernel, int Dim>
+template <int Dim>
 struct Weight {
   double value;
   Vector<Dim> gradient;
@@ -107,7 +107,7 @@ double weight_value(const Vector<Dim>& offset, double support_radius) {
 
 // w(r) and its gradient. At a kink (the centre of bspline1) the gradient is the mean of both sides.
 template <class Kernel, int Dim>
-Weight<Kernel, Dim> weight(const Vector<Dim>& offset, double support_radius) {
+Weight<Dim> weight(const Vector<Dim>& offset, double support_radius) {
   if constexpr (Kernel::radial) {
     const double distance = offset.norm();
     const double q = distance / support_radius;
@@ -115,7 +115,7 @@ Weight<Kernel, Dim> weight(const Vector<Dim>& offset, double support_radius) {
     const double slope = distance > 0.0 ? Kernel::derivative(q) / (support_radius * distance) : 0.0;
     return {Kernel::value(q), slope * offset};
   } else {
-    Weight<Kernel, Dim> w{1.0, Vector<Dim>::Ones()};
+    Weight<Dim> w{1.0, Vector<Dim>::Ones()};
     for (int a = 0; a < Dim; ++a) {
       const double q = std::abs(offset[a]) / support_radius;
       const double sign = (offset[a] > 0.0) - (offset[a] < 0.0);

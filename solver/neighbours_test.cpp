@@ -7,6 +7,9 @@
 #include "solver/test_points.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(neighbours)
+
 namespace {
 
 template <int Dim>
@@ -54,8 +57,6 @@ void check_against_brute_force(const Grid<Dim>& grid, const std::vector<Vector<D
   }
   BOOST_TEST(total > 6 * points.size());
 }
-
-BOOST_AUTO_TEST_SUITE(neighbours)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(finds_what_brute_force_finds, D, test::Dimensions) {
   const auto points = awkward_points<D::value>();
@@ -119,7 +120,8 @@ BOOST_AUTO_TEST_CASE(refuses_positions_that_are_not_finite) {
   BOOST_CHECK_THROW(grid_around<1>({}, 0.0), std::invalid_argument);
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

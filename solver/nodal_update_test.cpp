@@ -8,6 +8,9 @@
 #include "reference/problem/problem_fixtures.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(nodal_update)
+
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -69,8 +72,6 @@ const std::vector<double> many_scales = [] {
   }
   return z;
 }();
-
-BOOST_AUTO_TEST_SUITE(nodal_update)
 
 BOOST_AUTO_TEST_CASE(without_drag_each_phase_obeys_newton) {
   const Problem free = problem_with_drag(0.0);
@@ -387,7 +388,8 @@ BOOST_AUTO_TEST_CASE(nodes_are_independent) {
   }
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

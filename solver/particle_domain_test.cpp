@@ -6,11 +6,12 @@
 #include "solver/transfer_fixtures.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(particle_domain)
+
 namespace {
 
 using namespace test;
-
-BOOST_AUTO_TEST_SUITE(particle_domain)
 
 // A homogeneous deformation in two steps: l = l_0 F, F the product of both.
 BOOST_AUTO_TEST_CASE(domains_are_stretched_by_the_deformation) {
@@ -41,7 +42,8 @@ BOOST_AUTO_TEST_CASE(a_domain_never_turns_inside_out) {
   for (const double edge : points.domain) BOOST_TEST(edge == 0.1);
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

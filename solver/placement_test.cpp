@@ -6,6 +6,9 @@
 #include <numeric>
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(placement)
+
 namespace {
 
 constexpr std::array all_placements = {Placement::uniform, Placement::jittered,
@@ -58,8 +61,6 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
   }
   return std::sqrt(n) * ab / std::sqrt(aa * bb);
 }
-
-BOOST_AUTO_TEST_SUITE(placement)
 
 BOOST_AUTO_TEST_CASE(points_are_in_the_column_and_fill_it) {
   const double h = 0.1 / 101;
@@ -270,7 +271,8 @@ BOOST_AUTO_TEST_CASE(positions_are_the_same_on_every_machine) {
   BOOST_TEST(place_points(d, 1.0, Phase::fluid).x == fluid, boost::test_tools::per_element());
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

@@ -62,7 +62,7 @@ PreparedUpdate::PreparedUpdate(const Problem& problem, double dt, const PhaseNod
   }
 }
 
-void PreparedUpdate::apply(const Problem& problem, const StepLoad& load, Range nodes,
+void PreparedUpdate::apply(const Problem& problem, const StepLoad& load, IndexRange nodes,
                            const StressForces& forces, PhaseNodes& solid, PhaseNodes& fluid) const {
   const std::size_t first = nodes.first;
   const double ns = problem.material.solid_fraction();
@@ -79,7 +79,7 @@ void PreparedUpdate::apply(const Problem& problem, const StepLoad& load, Range n
   }
 }
 
-std::span<const std::size_t> PreparedUpdate::special(Range nodes) const {
+std::span<const std::size_t> PreparedUpdate::special(IndexRange nodes) const {
   const auto first = std::lower_bound(special_.begin(), special_.end(), nodes.first);
   return {first, std::lower_bound(first, special_.end(), nodes.last)};
 }

@@ -30,11 +30,11 @@ class PreparedUpdate {
   // New velocities of the nodes [nodes.first, nodes.last) from velocities and forces, as
   // update_nodes gives them to rounding. `force` is only set where an end acts or a phase is
   // missing.
-  void apply(const Problem& problem, const StepLoad& load, Range nodes, const StressForces& forces,
-             PhaseNodes& solid, PhaseNodes& fluid) const;
+  void apply(const Problem& problem, const StepLoad& load, IndexRange nodes,
+             const StressForces& forces, PhaseNodes& solid, PhaseNodes& fluid) const;
 
   // The ends, and nodes without one of the phases, in the range: where update_node must be asked.
-  std::span<const std::size_t> special(Range nodes) const;
+  std::span<const std::size_t> special(IndexRange nodes) const;
   // Of the eight nodes from 8 * eight on.
   const NodeCoefficients& coefficients(std::size_t eight) const { return coefficients_[eight]; }
   double time_step() const { return dt_; }

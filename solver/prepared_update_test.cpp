@@ -6,6 +6,8 @@
 #include "reference/problem/problem_fixtures.hpp"
 #include "solver/transfer_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(prepared_update)
+
 using namespace porowave;
 using namespace porowave::solver;
 
@@ -32,8 +34,6 @@ double largest_velocity_difference(const PhaseNodes& a, const PhaseNodes& b) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(prepared_update)
-
 BOOST_AUTO_TEST_CASE(nodes_move_as_by_update_nodes) {
   const double dt = 1e-7;
   const auto effective = test::noise(nodes, 50);
@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(nodes_move_as_by_update_nodes) {
         PhaseNodes fluid_parts = fluid;
         const StepLoad load{0.4, 0.3, 0.5};
         const PreparedUpdate prepared(problem, dt, solid, fluid);
-        for (const Range part : {Range{0, 16}, Range{16, nodes}}) {
+        for (const IndexRange part : {IndexRange{0, 16}, IndexRange{16, nodes}}) {
           prepared.apply(problem, load, part,
                          {effective.data() + part.first, pressure.data() + part.first}, solid_parts,
                          fluid_parts);

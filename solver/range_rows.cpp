@@ -72,7 +72,7 @@ RangeRows range_rows(SparseRows&& rows) {
   return result;
 }
 
-POROWAVE_VECTORISED void multiply(const RangeRows& rows, Range rows_wanted, const double* in,
+POROWAVE_VECTORISED void multiply(const RangeRows& rows, IndexRange rows_wanted, const double* in,
                                   double* out) {
   const std::size_t* offsets = rows.row_offsets.data();
   const std::int32_t* first = rows.first_column.data();

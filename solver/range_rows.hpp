@@ -14,7 +14,7 @@
 namespace porowave::solver {
 
 // Rows or columns [first, last).
-struct Range {
+struct IndexRange {
   std::size_t first;
   std::size_t last;
 
@@ -33,7 +33,7 @@ struct RangeRows {
   std::vector<double> values;
 
   std::size_t row_count() const { return first_column.size(); }
-  Range columns(std::size_t row) const {
+  IndexRange columns(std::size_t row) const {
     const auto first = static_cast<std::size_t>(first_column[row]);
     return {first, first + row_offsets[row + 1] - row_offsets[row]};
   }
@@ -45,6 +45,6 @@ RangeRows range_rows(SparseRows&& rows);
 
 // out[k] = Σ_c rows_(r,c) in_c for r = rows_wanted.first + k. Four partial sums a row, always in
 // the same order. `in` must be as long as the rows are wide, `out` as long as the range.
-void multiply(const RangeRows& rows, Range rows_wanted, const double* in, double* out);
+void multiply(const RangeRows& rows, IndexRange rows_wanted, const double* in, double* out);
 
 }  // namespace porowave::solver

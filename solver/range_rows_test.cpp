@@ -5,6 +5,8 @@
 
 #include "solver/transfer_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(range_rows)
+
 using namespace porowave::solver;
 
 namespace {
@@ -26,8 +28,6 @@ SparseRows rows_with(std::size_t widest, bool gaps) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(range_rows)
 
 BOOST_AUTO_TEST_CASE(products_are_those_of_the_sparse_rows) {
   const auto in = test::noise(100, 5);

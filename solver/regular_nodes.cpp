@@ -10,9 +10,6 @@ namespace porowave::solver {
 
 namespace {
 
-constexpr std::size_t lanes = BandedRows::lanes;
-constexpr std::size_t eights_of_block = BandedRows::block_rows / lanes;
-
 // What rounded places do to the weights of a row: a place in elements is off by half a unit in the
 // last place of the row's number, and slopes are about one an element. Found for all kernels, 1 to
 // 8 points a cell, up to 100,000 cells: at most 1.2 such units.
@@ -119,13 +116,13 @@ RegularNodes::RegularNodes(const BandedRows& to_nodes, const BandedRows& to_cell
   stencil_.force = differences(likeness->to_cells.values());
   set_changes(likeness->node, solid_fraction, porosity, stencil_);
 
-  runs_.assign((node_count - 1) / BandedRows::block_rows + 1, Range{0, 0});
-  Range run{first, first};
+  runs_.assign((node_count - 1) / BandedRows::block_rows + 1, IndexRange{0, 0});
+  IndexRange run{first, first};
   for (std::size_t k = first; k < eights; ++k) {
     if (k % eights_of_block == 0 || run.last != k) run = {k, k};
     if (!likeness->holds(k, update)) continue;
     run.last = k + 1;
-    Range& longest = runs_[k / eights_of_block];
+    IndexRange& longest = runs_[k / eights_of_block];
     if (run.size() > longest.size()) longest = run;
   }
 }

@@ -25,12 +25,14 @@ class RegularNodes {
   // The longest run of regular nodes in a block of BandedRows::block_rows, in eights of the column:
   // nodes 8 first ... 8 last − 1. All of its rows, and those of the cells beside it, are alike.
   // {0, 0} if there is none.
-  Range in_block(std::size_t block) const { return runs_.empty() ? Range{0, 0} : runs_[block]; }
+  IndexRange in_block(std::size_t block) const {
+    return runs_.empty() ? IndexRange{0, 0} : runs_[block];
+  }
   const RegularStencil& stencil() const { return stencil_; }
 
  private:
   RegularStencil stencil_;
-  std::vector<Range> runs_;
+  std::vector<IndexRange> runs_;
 };
 
 }  // namespace porowave::solver

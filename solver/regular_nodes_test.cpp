@@ -8,6 +8,8 @@
 #include "solver/column_fixtures.hpp"
 #include "solver/compact_operators.hpp"
 
+BOOST_AUTO_TEST_SUITE(regular_nodes)
+
 using namespace porowave;
 using namespace porowave::solver;
 
@@ -59,7 +61,7 @@ struct Rows {
   }
 };
 
-void check_runs(const RegularNodes& found, const std::vector<Range>& expected) {
+void check_runs(const RegularNodes& found, const std::vector<IndexRange>& expected) {
   for (std::size_t block = 0; block < expected.size(); ++block) {
     BOOST_TEST_CONTEXT("block " << block) {
       BOOST_TEST(found.in_block(block).first == expected[block].first);
@@ -68,14 +70,12 @@ void check_runs(const RegularNodes& found, const std::vector<Range>& expected) {
   }
 }
 
-const std::vector<Range> none{{0, 0}, {0, 0}, {0, 0}};
+const std::vector<IndexRange> none{{0, 0}, {0, 0}, {0, 0}};
 // Eight 74 holds node and cell 599, the last ones before the end.
-const std::vector<Range> interior{{1, 32}, {32, 64}, {64, 74}};
-const std::vector<Range> up_to_the_end{{1, 32}, {32, 64}, {64, 75}};
+const std::vector<IndexRange> interior{{1, 32}, {32, 64}, {64, 74}};
+const std::vector<IndexRange> up_to_the_end{{1, 32}, {32, 64}, {64, 75}};
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(regular_nodes)
 
 BOOST_AUTO_TEST_CASE(regular_points_make_all_nodes_regular_but_those_at_the_ends) {
   for (const int per_cell : {1, 2, 3, 4, 8}) {
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(a_moved_point_is_seen) {
 BOOST_AUTO_TEST_CASE(another_mass_is_seen) {
   Rows column(test::regular_points(4), test::mls<BSpline2>(1.5, 1));
   column.fluid.mass[450] *= 1.0 + 1e-10;  // in eight 56
-  const Range run = column.regular().in_block(1);
+  const IndexRange run = column.regular().in_block(1);
   BOOST_TEST(run.first == 32);
   BOOST_TEST(run.last == 56);
 }

@@ -5,6 +5,8 @@
 
 #include "solver/transfer_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(regular_step)
+
 using namespace porowave::solver;
 
 namespace {
@@ -103,8 +105,6 @@ void check_step(const RegularStencil& stencil, const RegularFactors& by) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(regular_step)
 
 BOOST_AUTO_TEST_CASE(is_what_its_definition_says) {
   for (std::size_t velocities = 1; velocities <= 7; ++velocities) {

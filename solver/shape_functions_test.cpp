@@ -11,6 +11,9 @@
 #include "solver/transfer_fixtures.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(shape_functions)
+
 namespace {
 
 using namespace test;
@@ -61,8 +64,6 @@ std::vector<double> functions_at(double x, ShapeName shape, double domain = 0.5)
   }
   return values;
 }
-
-BOOST_AUTO_TEST_SUITE(shape_functions)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(they_sum_to_one_and_are_not_negative, D, test::Dimensions) {
   constexpr int Dim = D::value;
@@ -206,7 +207,8 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   });
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

@@ -51,7 +51,7 @@ PointRow SharedStrains::row(std::size_t cell, double place) const {
   return end < 0 ? PointRow{c - 1, {-t, 1.0 + t}} : PointRow{c, {1.0 - t, t}};
 }
 
-void SharedStrains::add(Range cells, const std::vector<std::size_t>& first_point,
+void SharedStrains::add(IndexRange cells, const std::vector<std::size_t>& first_point,
                         const double* place, const double* b, double factor, double* s) const {
   for (std::size_t c = cells.first; c < cells.last; ++c, ++b) {
     add_strains(factor * (b[1] - b[0]), factor * difference_across(ends_[c].below, b),

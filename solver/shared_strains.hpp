@@ -30,7 +30,7 @@ class SharedStrains {
   PointRow row(std::size_t cell, double place) const;
   // s_p ← s_p + factor · strain for the points of the cells [cells.first, cells.last), where the
   // strain of a cell is the difference of b across it; b belongs to node cells.first.
-  void add(Range cells, const std::vector<std::size_t>& first_point, const double* place,
+  void add(IndexRange cells, const std::vector<std::size_t>& first_point, const double* place,
            const double* b, double factor, double* s) const;
 
  private:

@@ -9,6 +9,9 @@
 #include "solver/transfer_fixtures.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(strain_recovery)
+
 namespace {
 
 const int cells = 8;
@@ -37,8 +40,6 @@ double cell_strain(const std::vector<double>& u, int cell) {
 double square(double x) {
   return 0.2 + 1.5 * x - 2.0 * x * x;
 }
-
-BOOST_AUTO_TEST_SUITE(strain_recovery)
 
 BOOST_AUTO_TEST_CASE(linear_strains_are_exact_up_to_the_ends) {
   const auto points = test::random_points<1>(200, 3, -0.3, 1.7);
@@ -138,7 +139,8 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_is_refused) {
                     std::invalid_argument);
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

@@ -10,6 +10,9 @@
 #include "solver/staggered/staggered_solver.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(time_step)
+
 namespace {
 
 using namespace test;
@@ -77,8 +80,6 @@ bool breaks_down(const Case& scene) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(time_step)
 
 BOOST_AUTO_TEST_CASE(auto_in_a_case_file_is_what_is_chosen_for_the_case) {
   const std::string automatic = with("courant = 0.25", "courant = \"auto\"");

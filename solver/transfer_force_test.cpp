@@ -8,6 +8,9 @@
 #include "solver/transfer_fixtures.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(transfer_force)
+
 namespace {
 
 using namespace test;
@@ -46,8 +49,6 @@ double gradient_at(const Vector<Dim>& x, const Grid<Dim>& grid, const std::vecto
   }
   return gradient;
 }
-
-BOOST_AUTO_TEST_SUITE(transfer_force)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(internal_forces_of_any_stress_balance, D, test::Dimensions) {
   constexpr int Dim = D::value;
@@ -147,7 +148,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(divergences_are_added_with_their_factor, D, test::
                });
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

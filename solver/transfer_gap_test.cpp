@@ -12,6 +12,9 @@
 #include "solver/transfer_fixtures.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(transfer_gap)
+
 namespace {
 
 using namespace test;
@@ -113,8 +116,6 @@ struct ColumnWithGaps {
     return cell >= first && (cell - first) % 3 == 0 && cell + 1 < grid.cells[0];
   }
 };
-
-BOOST_AUTO_TEST_SUITE(transfer_gap)
 
 // What is within reach of a point has its density, all else has nothing. At the edge of the reach
 // the moment matrix may be as badly conditioned as is accepted, 1e4, so rounding is amplified by as
@@ -278,7 +279,8 @@ BOOST_AUTO_TEST_CASE(positions_that_are_not_finite_are_refused) {
   }
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

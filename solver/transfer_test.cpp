@@ -9,6 +9,9 @@
 #include "solver/transfer_fixtures.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(transfer)
+
 namespace {
 
 using namespace test;
@@ -17,8 +20,6 @@ template <int Dim>
 double size(const Grid<Dim>& grid) {
   return grid.cell_count() * std::pow(grid.spacing, Dim);
 }
-
-BOOST_AUTO_TEST_SUITE(transfer)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(the_points_of_these_tests_carry_every_order, D, test::Dimensions) {
   constexpr int Dim = D::value;
@@ -238,7 +239,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_field_of_shape_is_the_mean_over_each_cell, D, 
   BOOST_TEST(quadrature == stress, boost::test_tools::per_element());
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

@@ -6,6 +6,9 @@
 #include "solver/transfer_fixtures.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(velocity_noise)
+
 namespace {
 
 using namespace test;
@@ -25,8 +28,6 @@ std::vector<double> seen(const Transfer<1>& transfer, const std::vector<double>&
   transfer.to_points(at_nodes(transfer, v), values);
   return values;
 }
-
-BOOST_AUTO_TEST_SUITE(velocity_noise)
 
 BOOST_AUTO_TEST_CASE(order_one_is_pic) {
   for_all<1>(
@@ -90,7 +91,8 @@ BOOST_AUTO_TEST_CASE(with_shape_functions_momentum_stays) {
   }
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

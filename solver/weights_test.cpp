@@ -8,6 +8,9 @@
 #include "solver/test_points.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(weights)
+
 namespace {
 
 template <int Dim>
@@ -34,8 +37,6 @@ std::vector<double> sample(const std::vector<Vector<Dim>>& points, F&& u) {
   for (const Vector<Dim>& x : points) values.push_back(u(x));
   return values;
 }
-
-BOOST_AUTO_TEST_SUITE(weights)
 
 BOOST_AUTO_TEST_CASE(products_agree_with_the_dense_matrix) {
   // [1 0 2; 0 0 0; 0 3 4]
@@ -205,7 +206,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(transposed_linear_rows_conserve_mass_and_its_centr
   BOOST_TEST(moment.norm() < 1e-11);
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

@@ -6,6 +6,8 @@
 
 #include "verification/paper_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(adaptive_support)
+
 using namespace porowave;
 using namespace porowave::verification;
 using solver::Case;
@@ -50,8 +52,6 @@ Case adaptive_case(int elements) {
 using Kernels = std::tuple<solver::BSpline1, solver::BSpline2, solver::WendlandC2>;
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(adaptive_support)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_hole_costs_little_at_any_resolution, Kernel, Kernels) {
   const auto profile = reference_profile(adaptive_case<Kernel>(levels[0]));

@@ -7,6 +7,8 @@
 #include "reference/problem/problem_fixtures.hpp"
 #include "verification/run.hpp"
 
+BOOST_AUTO_TEST_SUITE(convergence)
+
 using namespace porowave;
 using namespace porowave::verification;
 using solver::Case;
@@ -56,8 +58,6 @@ struct TableRow {
 };
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(convergence)
 
 BOOST_AUTO_TEST_CASE(errors_of_the_design_table_are_met_and_the_order_is_two) {
   // Errors of effective stress and pore pressure at 100, 200, 400 and 800 cells, from an

@@ -5,6 +5,8 @@
 #include "reference/problem/problem_fixtures.hpp"
 #include "verification/run.hpp"
 
+BOOST_AUTO_TEST_SUITE(empty_element)
+
 using namespace porowave;
 using namespace porowave::verification;
 using solver::Case;
@@ -35,8 +37,6 @@ bool at_rest_behind(const solver::Snapshot& s, double x) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(empty_element)
 
 BOOST_AUTO_TEST_CASE(nothing_arrives_behind_it_with_linear_shape_functions) {
   for (const LoadShape shape : {LoadShape::step, LoadShape::smooth_ramp}) {

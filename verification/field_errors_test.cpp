@@ -4,6 +4,8 @@
 
 #include "reference/problem/problem_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(field_errors)
+
 using namespace porowave;
 using namespace porowave::verification;
 
@@ -50,8 +52,6 @@ FieldErrors errors_of(const solver::Snapshot& snapshot) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(field_errors)
 
 BOOST_AUTO_TEST_CASE(a_perfect_snapshot_has_no_error) {
   for (const FieldError& e : errors_of(perfect_snapshot())) {

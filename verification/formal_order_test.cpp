@@ -18,6 +18,8 @@
 #include "verification/order/convergence_fit.hpp"
 #include "verification/paper_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(formal_order)
+
 using namespace porowave;
 using namespace porowave::verification;
 using solver::Case;
@@ -142,8 +144,6 @@ constexpr Measure points{&FieldError::points, "points"};
 using StratifiedKernels = std::tuple<solver::BSpline1, solver::BSpline2, solver::WendlandC2>;
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(formal_order)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(uniform_points_give_order_two_with_every_kernel, Kernel,
                               solver::Kernels) {

@@ -11,6 +11,8 @@
 #include "verification/field_errors.hpp"
 #include "verification/manufactured/two_phase_motion.hpp"
 
+BOOST_AUTO_TEST_SUITE(manufactured_column)
+
 using namespace porowave;
 using namespace porowave::verification;
 using solver::Case;
@@ -101,8 +103,6 @@ void check_orders(const char* title, const Case& scene, const TwoPhaseMotion& mo
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(manufactured_column)
 
 BOOST_AUTO_TEST_CASE(all_fields_are_of_order_two_at_points_and_nodes) {
   const TwoPhaseMotion mild = motion(NearEnd::drained_traction, 1e-11);

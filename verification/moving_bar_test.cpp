@@ -9,6 +9,8 @@
 #include "verification/manufactured/bar_motion.hpp"
 #include "verification/norms.hpp"
 
+BOOST_AUTO_TEST_SUITE(moving_bar)
+
 using namespace porowave;
 using namespace porowave::verification;
 using namespace porowave::solver;
@@ -146,8 +148,6 @@ Drift fly(const Discretization& d, double share_of_wave_speed, int xpic_order) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(moving_bar)
 
 BOOST_AUTO_TEST_CASE(a_flight_across_a_thousand_cells_keeps_velocity_and_stress) {
   const auto check = [](const char* name, Discretization d, Placement placement, double speed,

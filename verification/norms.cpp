@@ -5,11 +5,11 @@
 #include <limits>
 #include <stdexcept>
 
+#include "verification/not_a_number.hpp"
+
 namespace porowave::verification {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 double ratio(double error, double reference) {
   if (!std::isfinite(error) || !std::isfinite(reference)) return nan;

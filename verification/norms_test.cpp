@@ -6,11 +6,11 @@
 #include <stdexcept>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(norms)
+
 using porowave::verification::Norms;
 using porowave::verification::relative_norms;
 namespace tt = boost::test_tools;
-
-BOOST_AUTO_TEST_SUITE(norms)
 
 BOOST_AUTO_TEST_CASE(they_follow_their_definition) {
   const std::vector<double> values = {1.0, -2.0, 5.0};

@@ -13,6 +13,8 @@
 #include "verification/norms.hpp"
 #include "verification/run.hpp"
 
+BOOST_AUTO_TEST_SUITE(peer)
+
 using namespace porowave;
 using namespace porowave::verification;
 using solver::Case;
@@ -78,8 +80,6 @@ RunResult sound_run(const Case& scene, const reference::Profile& profile) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(peer)
 
 BOOST_AUTO_TEST_CASE(the_errors_of_the_peers_profile_are_found_again) {
   const auto reference = reference_profile(fourth_order());

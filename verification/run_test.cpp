@@ -8,6 +8,8 @@
 #include "reference/problem/problem_fixtures.hpp"
 #include "verification/run_output.hpp"
 
+BOOST_AUTO_TEST_SUITE(run)
+
 using namespace porowave;
 using namespace porowave::verification;
 using solver::Case;
@@ -35,8 +37,6 @@ Case exploding_case() {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(run)
 
 BOOST_AUTO_TEST_CASE(a_run_has_errors_and_a_cost) {
   const Case scene = small_case();

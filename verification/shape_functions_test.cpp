@@ -6,6 +6,8 @@
 
 #include "verification/paper_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(shape_functions)
+
 using namespace porowave;
 using namespace porowave::verification;
 using solver::Case;
@@ -48,8 +50,6 @@ void check_order(const std::string& title, Make&& make, const Expected& expected
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(shape_functions)
 
 BOOST_AUTO_TEST_CASE(every_shape_function_is_of_second_order) {
   for (const auto& [shape, error, order] :

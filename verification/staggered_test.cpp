@@ -8,6 +8,8 @@
 #include "solver/staggered/staggered_solver.hpp"
 #include "verification/run.hpp"
 
+BOOST_AUTO_TEST_SUITE(staggered)
+
 using namespace porowave;
 using namespace porowave::verification;
 using solver::Case;
@@ -69,8 +71,6 @@ double energy(const solver::Snapshot& s, const Material& m) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(staggered)
 
 BOOST_AUTO_TEST_CASE(errors_of_the_design_table_are_met) {
   // Relative L2 errors of effective stress from an independent trial program, and what scatters

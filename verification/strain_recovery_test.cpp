@@ -5,6 +5,8 @@
 
 #include "verification/paper_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(strain_recovery)
+
 using namespace porowave;
 using namespace porowave::verification;
 using solver::Case;
@@ -24,8 +26,6 @@ Case stratified(int elements, solver::Strain strain) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(strain_recovery)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(both_norms_are_of_second_order, Kernel, Kernels) {
   // The design's figures for the field at 200, 400 and 800 cells, of an independent program.

@@ -10,6 +10,8 @@
 #include "reference/problem/errors.hpp"
 #include "reference/problem/problem_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(work_precision)
+
 using namespace porowave;
 using namespace porowave::verification;
 
@@ -51,8 +53,6 @@ std::vector<std::string> split(const std::string& line) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(work_precision)
 
 BOOST_AUTO_TEST_CASE(the_error_is_that_of_the_worst_field) {
   WorkPrecision m = measurement("m", 1.0, 1e-3);

@@ -22,15 +22,11 @@ function(porowave_quick_to_compile target)
                          $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-O1>)
 endfunction()
 
-# Headers that nearly every source of a target reads, in <>. From a precompiled header GCC 12 warns of
-# overflows in std::string that are none (GCC bug 105329) and that it keeps to itself where it reads
-# the same as a system header: such warnings are no errors then.
-function(porowave_precompile target)
-  target_precompile_headers(${target} PRIVATE ${ARGN})
-  foreach(false_alarm array-bounds stringop-overflow stringop-overread maybe-uninitialized)
-    target_compile_options(${target} PRIVATE
-                           $<$<CXX_COMPILER_ID:GNU>:-Wno-error=${false_alarm}>)
-  endforeach()
+# Most of a clean build is templates that every source instantiates again. Sources compiled as one
+# must not share names: tests keep theirs inside their suite.
+function(porowave_unity target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${POROWAVE_UNITY_BUILD}
+                                             UNITY_BUILD_BATCH_SIZE 8)
 endfunction()
 
 # porowave_library(name SOURCES ... PUBLIC ... PRIVATE ...): the library porowave::name, its sources
@@ -46,6 +42,7 @@ function(porowave_library name)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   porowave_compile_options(${target})
+  porowave_unity(${target})
   set_property(GLOBAL APPEND PROPERTY POROWAVE_LIBRARIES ${target})
 endfunction()
 
@@ -66,18 +63,17 @@ function(porowave_tests room)
     list(APPEND sources ${stem}_test.cpp)
   endforeach()
   add_executable(${program} ${sources})
-  # Half of a clean build is tests: what they time and call often is in the libraries, and most of
-  # what they read is Boost.Test.
+  # Half of a clean build is tests: what they time and call often is in the libraries.
   if(NOT ARG_OPTIMISED)
     porowave_quick_to_compile(${program})
   endif()
   # It says which module it is before it includes the same.
-  set_source_files_properties(test_main.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  set_source_files_properties(test_main.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_compile_definitions(${program} PRIVATE BOOST_TEST_DYN_LINK
                              POROWAVE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${program} PRIVATE ${ARG_LINK} Boost::unit_test_framework)
   porowave_compile_options(${program})
-  porowave_precompile(${program} <boost/test/unit_test.hpp>)
+  porowave_unity(${program})
   foreach(stem ${ARG_STEMS})
     get_filename_component(suite ${stem} NAME)
     add_test(NAME ${room}/${stem} COMMAND ${program} --run_test=${suite}

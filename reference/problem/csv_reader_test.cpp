@@ -4,6 +4,8 @@
 
 #include "reference/problem/errors.hpp"
 
+BOOST_AUTO_TEST_SUITE(csv_reader)
+
 using namespace porowave;
 
 namespace {
@@ -45,8 +47,6 @@ std::string refusal(const std::string& text) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(csv_reader)
 
 BOOST_AUTO_TEST_CASE(the_same_table_however_it_was_written) {
   const Rows plain = rows_of("x,name\n1,a\n2,b\n");

@@ -5,6 +5,8 @@
 
 #include "reference/problem/errors.hpp"
 
+BOOST_AUTO_TEST_SUITE(load)
+
 using namespace porowave;
 namespace tt = boost::test_tools;
 
@@ -20,8 +22,6 @@ std::vector<Load> every_load() {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(load)
 
 BOOST_AUTO_TEST_CASE(shapes_at_known_times) {
   BOOST_TEST(Load(LoadShape::step, 3.0).value(0.0) == 3.0);

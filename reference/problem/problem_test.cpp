@@ -8,6 +8,8 @@
 #include "reference/problem/problem_fixtures.hpp"
 #include "reference/problem/toml_document.hpp"
 
+BOOST_AUTO_TEST_SUITE(problem)
+
 using namespace porowave;
 namespace tt = boost::test_tools;
 
@@ -50,8 +52,6 @@ std::string message_for(const std::string& text) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(problem)
 
 BOOST_AUTO_TEST_CASE(a_valid_problem_is_read) {
   const Problem problem = read_problem(TomlDocument::parse(valid, "p.toml"));

@@ -4,6 +4,8 @@
 
 #include "reference/problem/errors.hpp"
 
+BOOST_AUTO_TEST_SUITE(toml_document)
+
 using porowave::InputError;
 using porowave::Range;
 using porowave::same_value;
@@ -26,8 +28,6 @@ const TomlDocument sample = TomlDocument::parse(
     "[a]\nwhole = 3\nreal = 0.25\nword = \"mls\"\nlist = [1, 2.5]\nflag = true\n", "case.toml");
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(toml_document)
 
 BOOST_AUTO_TEST_CASE(values_of_the_right_type_are_read) {
   auto section = sample.section("a");

@@ -6,6 +6,8 @@
 
 #include "reference/column_solution.hpp"
 
+BOOST_AUTO_TEST_SUITE(truth)
+
 using namespace porowave;
 using fixtures::Worst;
 
@@ -29,8 +31,6 @@ std::ostream& operator<<(std::ostream& out, const Cost& cost) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(truth)
 
 BOOST_AUTO_TEST_CASE(every_row_is_within_1e_12_of_the_load_and_within_its_bound) {
   Worst error;

@@ -9,6 +9,9 @@ namespace porowave::reports {
 /// The function returns the exit code.
 using Command = std::function<int()>;
 
+/// Of a run that broke down numerically.
+inline constexpr int exit_broke_down = 4;
+
 void add_reference_command(CLI::App& program, Command& run);
 void add_waves_command(CLI::App& program, Command& run);
 void add_solve_command(CLI::App& program, Command& run);

@@ -13,14 +13,14 @@ namespace porowave::reports {
 
 namespace {
 
-struct Options {
+struct ExplainOptions {
   std::string problem;
   double x = 0.0;
   double t = 0.0;
   std::string output;
 };
 
-void print_groups(const reference::ColumnSolution& solution, const Options& options) {
+void print_groups(const reference::ColumnSolution& solution, const ExplainOptions& options) {
   const auto groups = reference::explain(solution, options.x, options.t);
   if (groups.empty()) {
     fmt::print("no wave has arrived at x = {} m by t = {} s: all fields are exactly zero\n",
@@ -36,7 +36,7 @@ void print_groups(const reference::ColumnSolution& solution, const Options& opti
   }
 }
 
-int run_explain(const Options& options) {
+int run_explain(const ExplainOptions& options) {
   const Problem problem = load_problem(options.problem);
   if (!options.output.empty()) require_gnuplot();
   const reference::ColumnSolution solution(problem);
@@ -53,7 +53,7 @@ int run_explain(const Options& options) {
 }  // namespace
 
 void add_explain_command(CLI::App& program, Command& run) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExplainOptions>();
   CLI::App* command = program.add_subcommand(
       "explain", "How a value of the reference was found: waves, contours, bounds, and a picture");
   command->add_option("problem", options->problem, "Problem file (TOML); a case file will do too")

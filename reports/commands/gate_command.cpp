@@ -19,7 +19,7 @@ namespace {
 using verification::Verdict;
 using verification::VerdictKind;
 
-struct Options {
+struct GateOptions {
   std::string study;
   std::string store;
   std::string baseline;
@@ -28,7 +28,7 @@ struct Options {
   bool all = false;
 };
 
-int rebaseline(const Options& options, const std::vector<verification::Group>& groups,
+int rebaseline(const GateOptions& options, const std::vector<verification::Group>& groups,
                const verification::GateRules& rules,
                const std::optional<verification::Baseline>& old) {
   const std::string today = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)));
@@ -56,7 +56,7 @@ int show(const std::vector<Verdict>& verdicts, bool all) {
   return code;
 }
 
-int run_gate(const Options& options) {
+int run_gate(const GateOptions& options) {
   const bool change = options.reason.has_value();
   if (change &&
       (options.reason->empty() || options.reason->find_first_of("\r\n") != std::string::npos)) {
@@ -89,7 +89,7 @@ int run_gate(const Options& options) {
 }  // namespace
 
 void add_gate_command(CLI::App& program, Command& run) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<GateOptions>();
   CLI::App* command = program.add_subcommand("gate", "Verdict of a study for CI");
   command->add_option("study", options->study, "Study file (TOML)")->required();
   command->add_option("--store", options->store, "Store of results")->required();

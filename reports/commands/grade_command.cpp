@@ -13,7 +13,7 @@ namespace porowave::reports {
 
 namespace {
 
-struct Options {
+struct GradeOptions {
   std::string profile;
   std::string problem;
   std::string json;
@@ -43,7 +43,7 @@ verification::ColumnNames column_names(const std::vector<std::string>& words) {
   return names;
 }
 
-int run_grade(const Options& options) {
+int run_grade(const GradeOptions& options) {
   const Range times{0.0};
   if (options.time && !times.contains(*options.time)) {
     throw InputError(fmt::format("--time {:g}: expected {}", *options.time, times.text()));
@@ -66,7 +66,7 @@ int run_grade(const Options& options) {
 }  // namespace
 
 void add_grade_command(CLI::App& program, Command& run) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<GradeOptions>();
   CLI::App* command =
       program.add_subcommand("grade", "Errors of another code's output against the reference");
   command->add_option("profile", options->profile, "CSV file of points with a header")->required();

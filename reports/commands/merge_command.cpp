@@ -10,12 +10,12 @@ namespace porowave::reports {
 
 namespace {
 
-struct Options {
+struct MergeOptions {
   std::string target;
   std::vector<std::string> sources;
 };
 
-int run_merge(const Options& options) {
+int run_merge(const MergeOptions& options) {
   // What is no store is refused before anything is written.
   for (const std::string& source : options.sources) verification::Store::open(source);
   // A new store may lie on a network file system: the merging job of a cluster makes it.
@@ -31,7 +31,7 @@ int run_merge(const Options& options) {
 }  // namespace
 
 void add_merge_command(CLI::App& program, Command& run) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MergeOptions>();
   CLI::App* command = program.add_subcommand("merge", "Put the rows of several stores into one");
   command->add_option("target", options->target, "Store that takes them; made if it is not there")
       ->required();

@@ -5,6 +5,8 @@
 #include "reference/problem/errors.hpp"
 #include "reports/test_directory.hpp"
 
+BOOST_AUTO_TEST_SUITE(number_list)
+
 using namespace porowave;
 using namespace porowave::reports;
 using namespace porowave::tests;
@@ -17,8 +19,6 @@ Numbers parsed(const std::string& text) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(number_list)
 
 BOOST_AUTO_TEST_CASE(lists_are_taken_as_they_are) {
   BOOST_TEST(parsed("4e-5") == Numbers({4e-5}));

@@ -20,7 +20,7 @@ namespace porowave::reports {
 
 namespace {
 
-struct Options {
+struct ReferenceOptions {
   std::string problem;
   std::string x;
   std::string t;
@@ -55,7 +55,7 @@ void write_csv(const std::vector<Row>& rows, const std::string& more_header, std
   }
 }
 
-reference::Route chosen_route(const Options& options, const Problem& problem) {
+reference::Route chosen_route(const ReferenceOptions& options, const Problem& problem) {
   const auto& names = reference::method_names;
   const auto index = std::find(names.begin(), names.end(), options.method) - names.begin();
   const auto route = reference::route(static_cast<reference::Method>(index), problem);
@@ -99,7 +99,7 @@ int run_cross_check(const Problem& problem, const std::vector<double>& xs,
   return 0;
 }
 
-int run_reference(const Options& options) {
+int run_reference(const ReferenceOptions& options) {
   const Problem problem = load_problem(options.problem);
   if (options.energy) {
     return run_energy(problem, parse_number_list(options.t, "--t"), options.output);
@@ -144,7 +144,7 @@ int run_reference(const Options& options) {
 }  // namespace
 
 void add_reference_command(CLI::App& program, Command& run) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReferenceOptions>();
   CLI::App* command = program.add_subcommand(
       "reference", "Exact fields of a saturated column at points and times, with error bounds");
   command->add_option("problem", options->problem, "Problem file (TOML); a case file will do too")

@@ -12,15 +12,13 @@ namespace porowave::reports {
 
 namespace {
 
-constexpr int exit_broke_down = 4;
-
-struct Options {
+struct SolveOptions {
   std::string scene;
   std::string output;
   std::string json;
 };
 
-int run_solve(const Options& options) {
+int run_solve(const SolveOptions& options) {
   const solver::Case scene = solver::load_case(options.scene);
   if (!options.output.empty()) require_writable(options.output);
   if (!options.json.empty()) require_writable(options.json);
@@ -44,7 +42,7 @@ int run_solve(const Options& options) {
 }  // namespace
 
 void add_solve_command(CLI::App& program, Command& run) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SolveOptions>();
   CLI::App* command =
       program.add_subcommand("solve", "One run of the material point solver, and its errors");
   command->add_option("case", options->scene, "Case file (TOML)")->required();

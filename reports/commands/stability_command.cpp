@@ -21,7 +21,7 @@ namespace {
 
 constexpr int verdict_fail = 1;
 
-struct Options {
+struct StabilityOptions {
   std::string scene;
   std::string output;
   double limit = solver::CriticalSettings{}.limit;
@@ -37,7 +37,7 @@ struct Options {
   }
 };
 
-void write_files(const verification::SceneStability& found, const Options& options) {
+void write_files(const verification::SceneStability& found, const StabilityOptions& options) {
   const std::filesystem::path directory = options.output;
   std::vector<std::filesystem::path> files = {directory / "growth.csv"};
   write_file(files[0], [&](std::ostream& out) { verification::write_growth_csv(found, out); });
@@ -70,7 +70,7 @@ void print_counts(const std::vector<verification::MappedStability>& map, double 
       map.size(), seconds, stable, highest, unstable, below, refused);
 }
 
-int run_map(const Options& options) {
+int run_map(const StabilityOptions& options) {
   if (options.output.empty() || options.check) {
     throw InputError("stability: a study needs --output DIR, and has no --check");
   }
@@ -93,7 +93,7 @@ int run_map(const Options& options) {
   return 0;
 }
 
-int run_case(const Options& options) {
+int run_case(const StabilityOptions& options) {
   const solver::Case scene = solver::load_case(options.scene);
   if (!options.output.empty()) {
     make_output_directory(options.output);
@@ -110,7 +110,7 @@ int run_case(const Options& options) {
   return options.check && !found.stable(options.limit) ? verdict_fail : 0;
 }
 
-int run_stability(const Options& options) {
+int run_stability(const StabilityOptions& options) {
   const bool study = TomlDocument::load(options.scene).section("axes").present();
   return study ? run_map(options) : run_case(options);
 }
@@ -118,7 +118,7 @@ int run_stability(const Options& options) {
 }  // namespace
 
 void add_stability_command(CLI::App& program, Command& run) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StabilityOptions>();
   CLI::App* command = program.add_subcommand(
       "stability",
       "Critical time step of a case and how fast noise grows at its own, or a map of a study");

@@ -13,7 +13,7 @@ namespace porowave::reports {
 
 namespace {
 
-struct Options {
+struct StatusOptions {
   std::string study;
   std::string store;
 };
@@ -42,7 +42,7 @@ std::string time_left(const verification::StudyStatus& status) {
   return fmt::format("time left: {:.0f} s at the rate of the last 10 minutes", seconds);
 }
 
-int run_status(const Options& options) {
+int run_status(const StatusOptions& options) {
   const verification::ClusterFiles files(options.store);
   const auto cases = verification::case_list(options.study, files.folder + "/cases");
   const auto shards = files.shards();
@@ -65,7 +65,7 @@ int run_status(const Options& options) {
 }  // namespace
 
 void add_status_command(CLI::App& program, Command& run) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StatusOptions>();
   CLI::App* command = program.add_subcommand("status", "How far a sweep is");
   command->add_option("study", options->study, "Study file (TOML)")->required();
   command->add_option("--store", options->store, "Store of results (SQLite file)")->required();

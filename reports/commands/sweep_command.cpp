@@ -21,11 +21,10 @@ namespace porowave::reports {
 namespace {
 
 constexpr int exit_differs = 1;
-constexpr int exit_broke_down = 4;
 constexpr int exit_environment = 5;
 constexpr int exit_stopped = 130;
 
-struct Options {
+struct SweepOptions {
   std::string study;
   std::string store;
   int jobs = 0;
@@ -57,7 +56,7 @@ std::optional<verification::Shard> parse_shard(const std::string& text) {
   return shard;
 }
 
-int repeat_one(const Options& options) {
+int repeat_one(const SweepOptions& options) {
   const auto result = verification::repeat(verification::Store::open(options.store), options.one);
   fmt::print("case {}\n{}", result.stored.id, verification::comparison(result));
   if (result.now.status == verification::CaseStatus::broke_down) {
@@ -90,7 +89,7 @@ int report(const verification::SweepSummary& summary, const std::string& store, 
   return exit_environment;
 }
 
-int run_sweep(const Options& options) {
+int run_sweep(const SweepOptions& options) {
   if (!options.one.empty()) return repeat_one(options);
   if (options.slurm) {
     return sweep_by_slurm(options.study, options.store, options.cluster, options.dry_run);
@@ -123,7 +122,7 @@ int run_sweep(const Options& options) {
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
-void add_slurm_options(CLI::App& command, Options& options) {
+void add_slurm_options(CLI::App& command, SweepOptions& options) {
   CLI::Option* slurm = command.add_flag(
       "--slurm", options.slurm,
       "Submit what the store lacks to Slurm: a job array and a job that merges its results");
@@ -145,7 +144,7 @@ void add_slurm_options(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_sweep_command(CLI::App& program, Command& run) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SweepOptions>();
   CLI::App* command = program.add_subcommand("sweep", "A grid of cases; run again to resume");
   command->add_option("study", options->study, "Study file (TOML)")->required();
   command->add_option("--store", options->store, "Store of results (SQLite file)")->required();

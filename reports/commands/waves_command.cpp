@@ -17,7 +17,7 @@ namespace porowave::reports {
 
 namespace {
 
-struct Options {
+struct WavesOptions {
   std::string problem;
   std::string frequency;
   std::string t;
@@ -77,7 +77,7 @@ void write_fronts(const Problem& problem, const reference::WaveModes& modes,
   }
 }
 
-int run_waves(const Options& options) {
+int run_waves(const WavesOptions& options) {
   if (!options.frequency.empty() && !options.t.empty()) {
     throw InputError("waves: expected --frequency or --t, not both: they make different tables");
   }
@@ -104,7 +104,7 @@ int run_waves(const Options& options) {
 }  // namespace
 
 void add_waves_command(CLI::App& program, Command& run) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<WavesOptions>();
   CLI::App* command = program.add_subcommand(
       "waves", "Wave speeds of a problem, dispersion against frequency, fronts and their jumps");
   command->add_option("problem", options->problem, "Problem file (TOML); a case file will do too")

@@ -8,12 +8,12 @@
 #include "reports/report/report_fixtures.hpp"
 #include "reports/test_directory.hpp"
 
+BOOST_AUTO_TEST_SUITE(case_table)
+
 using namespace porowave;
 using namespace porowave::reports;
-using namespace porowave::reports::fixtures;
+using namespace porowave::reports::report_fixtures;
 using verification::Record;
-
-BOOST_AUTO_TEST_SUITE(case_table)
 
 BOOST_AUTO_TEST_CASE(groups_are_all_but_levels_and_seeds) {
   const auto tables = case_tables(full_study());

@@ -6,9 +6,11 @@
 
 #include "reports/report/report_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(comparison)
+
 using namespace porowave;
 using namespace porowave::reports;
-using namespace porowave::reports::fixtures;
+using namespace porowave::reports::report_fixtures;
 using verification::Record;
 namespace tt = boost::test_tools;
 
@@ -36,8 +38,6 @@ const ComparedGroup& named(const Comparison& comparison, const std::string& name
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(comparison)
 
 BOOST_AUTO_TEST_CASE(the_same_rows_are_the_same) {
   const auto result = compare(case_tables(full_study()), after([](Record&) {}), 0);

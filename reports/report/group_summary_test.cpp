@@ -5,12 +5,12 @@
 
 #include "reports/report/report_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(group_summary)
+
 using namespace porowave;
 using namespace porowave::reports;
-using namespace porowave::reports::fixtures;
+using namespace porowave::reports::report_fixtures;
 namespace tt = boost::test_tools;
-
-BOOST_AUTO_TEST_SUITE(group_summary)
 
 BOOST_AUTO_TEST_CASE(means_ranges_and_orders_of_made_up_errors) {
   const auto table = case_tables(full_study()).front();

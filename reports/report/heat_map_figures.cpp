@@ -15,7 +15,7 @@ constexpr std::size_t most_panels = 4;
 constexpr std::size_t most_rows = 24;
 constexpr std::size_t most_columns = 8;
 /// Errors beyond this are of runs that went wrong; all have the darkest colour.
-constexpr double largest_shown = 10.0;
+constexpr double largest_error = 10.0;
 constexpr int black = 0x000000;
 constexpr int white = 0xffffff;
 
@@ -178,7 +178,7 @@ std::vector<ReportFigure> heat_map_figures(const FigureInput& input) {
     if (figures.size() == most_figures) break;
     PositiveRange errors;
     for (const std::size_t g : part.groups) {
-      errors.see(std::min(input.summaries[g].finest_error(), largest_shown));
+      errors.see(std::min(input.summaries[g].finest_error(), largest_error));
     }
     if (errors.empty()) continue;
     figures.push_back(figure_of(input, *axes, part, errors,

@@ -15,9 +15,11 @@
 #include "reports/test_directory.hpp"
 #include "verification/store/store.hpp"
 
+BOOST_AUTO_TEST_SUITE(page)
+
 using namespace porowave;
 using namespace porowave::reports;
-using namespace porowave::reports::fixtures;
+using namespace porowave::reports::report_fixtures;
 using namespace porowave::tests;
 using verification::Record;
 
@@ -81,8 +83,6 @@ double contrast(const std::string& a, const std::string& b) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(page)
 
 BOOST_AUTO_TEST_CASE(every_case_leads_to_its_row_specification_and_command) {
   auto rows = full_study();

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <vector>
 
-using porowave::reports::parallel_for;
-
 BOOST_AUTO_TEST_SUITE(parallel)
+
+using porowave::reports::parallel_for;
 
 BOOST_AUTO_TEST_CASE(every_index_once) {
   std::vector<std::atomic<int>> calls(1000);

@@ -9,9 +9,11 @@
 #include "reports/test_directory.hpp"
 #include "reports/test_pictures.hpp"
 
+BOOST_AUTO_TEST_SUITE(report_figures)
+
 using namespace porowave;
 using namespace porowave::reports;
-using namespace porowave::reports::fixtures;
+using namespace porowave::reports::report_fixtures;
 using namespace porowave::tests;
 using verification::Record;
 
@@ -57,8 +59,6 @@ std::vector<Record> nasty_study() {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(report_figures)
 
 BOOST_AUTO_TEST_CASE(curves_are_the_method_and_panels_its_numbers) {
   const Made made(full_study());

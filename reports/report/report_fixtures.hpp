@@ -9,7 +9,7 @@
 
 #include "verification/store/record.hpp"
 
-namespace porowave::reports::fixtures {
+namespace porowave::reports::report_fixtures {
 
 /// A name with all that HTML, JSON, gnuplot, LaTeX and shells take for more than a letter, of 200
 /// characters.
@@ -75,4 +75,4 @@ inline std::vector<verification::Record> full_study(const std::string& study = "
   return rows;
 }
 
-}  // namespace porowave::reports::fixtures
+}  // namespace porowave::reports::report_fixtures

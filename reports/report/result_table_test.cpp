@@ -7,6 +7,8 @@
 #include "reports/report/report_fixtures.hpp"
 #include "reports/test_directory.hpp"
 
+BOOST_AUTO_TEST_SUITE(result_table)
+
 using namespace porowave::reports;
 using porowave::tests::contains;
 
@@ -23,8 +25,6 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(result_table)
 
 BOOST_AUTO_TEST_CASE(csv_has_empty_fields_for_missing_numbers) {
   BOOST_TEST(as_csv(example()) == "name,error\n\"a, b\",1.2e-05\nc_d,\n");
@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(markdown_names_what_it_leaves_out) {
 
 BOOST_AUTO_TEST_CASE(html_shows_texts_as_they_are) {
   ResultTable table = example();
-  table.add({fixtures::nasty_name(), "1"});
+  table.add({report_fixtures::nasty_name(), "1"});
   const std::string text = as_html(table, 10);
   BOOST_TEST(count_of(text, "<tr>") == 4u);
   BOOST_TEST(!contains(text, "<b>"));

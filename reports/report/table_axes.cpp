@@ -11,7 +11,7 @@ namespace porowave::reports {
 
 namespace {
 
-constexpr auto none = "(default)";
+constexpr auto by_default = "(default)";
 /// Keys of which a smaller share of all combinations occurs change together.
 constexpr double full_product = 0.75;
 
@@ -24,7 +24,7 @@ struct Varying {
 
 std::string value_or_none(const CaseKeys& keys, const std::string& key) {
   const auto found = keys.find(key);
-  return found == keys.end() ? none : shown(found->second);
+  return found == keys.end() ? by_default : shown(found->second);
 }
 
 Varying varying(const std::vector<CaseKeys>& cases, const std::string& key) {
@@ -75,13 +75,13 @@ std::string method_name(const std::vector<Varying>& keys, const std::vector<std:
   std::string others;
   for (const std::size_t k : set) {
     const std::string& value = keys[k].values[keys[k].of_case[i]];
-    if (value == none) continue;
+    if (value == by_default) continue;
     const std::string key = short_name(keys[k].key);
     const bool speaks = key == "scheme" || key == "transfer" || key == "kernel";
     std::string& text = speaks ? words : others;
     text += fmt::format("{}{}", text.empty() ? "" : ", ", speaks ? value : key + " " + value);
   }
-  if (words.empty() && others.empty()) return none;
+  if (words.empty() && others.empty()) return by_default;
   return words.empty() || others.empty() ? words + others : words + ", " + others;
 }
 

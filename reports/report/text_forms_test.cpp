@@ -6,6 +6,8 @@
 #include "reports/process.hpp"
 #include "reports/test_directory.hpp"
 
+BOOST_AUTO_TEST_SUITE(text_forms)
+
 using namespace porowave::reports;
 using namespace porowave::tests;
 
@@ -14,8 +16,6 @@ namespace {
 const std::string nasty = R"(<b>"a" & 'b'</script>\n{x_1^2}~%#$|`)";
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(text_forms)
 
 BOOST_AUTO_TEST_CASE(html_leaves_no_mark_up) {
   BOOST_TEST(html_text("a<b>&\"'\n") == "a&lt;b&gt;&amp;&quot;&#39; ");

@@ -15,7 +15,7 @@ constexpr std::size_t most_curves = 16;
 /// The front's next name has an error lower by this factor at least.
 constexpr double named_gain = 1.5;
 /// Errors beyond this are of runs that went wrong; the axis leaves them out.
-constexpr double largest_shown = 30.0;
+constexpr double largest_of_axis = 30.0;
 
 std::string level_name(const StudyTable& table, const FrontMember& member) {
   const TableLevel& level = table.groups[member.group].levels[member.level];
@@ -101,7 +101,7 @@ ReportFigure figure_of(const FigureInput& input, const FigurePart& part,
   add_text(figure, "x_high", real_text(1.6 * cpu.high));
   add_text(figure, "y_low", real_text(0.4 * errors.low));
   add_text(figure, "y_high",
-           real_text(1.6 * std::min(errors.high, std::max(largest_shown, 2.0 * errors.low))));
+           real_text(1.6 * std::min(errors.high, std::max(largest_of_axis, 2.0 * errors.low))));
   add_text(figure, "y_title",
            "relative error (–): " + measure_title(verification::measure_names()[input.measure]));
   const std::string where = described(table, problem_axes(table), part.at);

@@ -6,6 +6,8 @@
 
 #include "reference/problem/errors.hpp"
 
+BOOST_AUTO_TEST_SUITE(bar_solver)
+
 using namespace porowave;
 using namespace porowave::solver;
 
@@ -51,8 +53,6 @@ double step_of(double courant, double stretch = 1.1) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(bar_solver)
 
 BOOST_AUTO_TEST_CASE(a_flying_bar_keeps_its_velocity_and_stress) {
   for (const Strain strain : {Strain::cell, Strain::recovered}) {

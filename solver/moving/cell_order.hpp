@@ -35,7 +35,7 @@ class CellOrder {
                     std::size_t cells);
 
   // Points [first, last) of a cell, by its number in the endless grid.
-  Range points_of(long cell) const {
+  IndexRange points_of(long cell) const {
     const auto c = static_cast<std::size_t>(cell - first_cell_);
     return {first_point_[c], first_point_[c + 1]};
   }

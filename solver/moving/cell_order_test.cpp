@@ -6,6 +6,8 @@
 
 #include "solver/test_points.hpp"
 
+BOOST_AUTO_TEST_SUITE(cell_order)
+
 using namespace porowave::solver;
 
 namespace {
@@ -26,7 +28,7 @@ std::vector<Vector<1>> sorted_points(std::size_t count, double low, double high)
 void check_cells(const CellOrder& order, const std::vector<Vector<1>>& x, long first, long last) {
   std::size_t next = 0;
   for (long c = first; c < last; ++c) {
-    const Range points = order.points_of(c);
+    const IndexRange points = order.points_of(c);
     BOOST_TEST_REQUIRE(points.first == next);
     for (std::size_t p = points.first; p < points.last; ++p) BOOST_TEST(cell_of(x[p]) == c);
     next = points.last;
@@ -35,8 +37,6 @@ void check_cells(const CellOrder& order, const std::vector<Vector<1>>& x, long f
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(cell_order)
 
 BOOST_AUTO_TEST_CASE(sorting_is_stable_and_leaves_sorted_points_alone) {
   std::vector<Vector<1>> x;

@@ -2,6 +2,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(constitutive_law)
+
 using namespace porowave::solver;
 
 namespace {
@@ -22,8 +24,6 @@ double slope(F&& f, double at) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(constitutive_law)
 
 BOOST_AUTO_TEST_CASE(neo_hookean_stress_is_the_slope_of_its_energy) {
   const NeoHookean law{3e5, 7e5};

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+BOOST_AUTO_TEST_SUITE(filled_grid)
+
 using namespace porowave::solver;
 
 namespace {
@@ -45,8 +47,6 @@ double work(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(filled_grid)
 
 BOOST_AUTO_TEST_CASE(the_filled_parts_make_up_the_body) {
   for (const FilledGrid& grid : bodies()) {

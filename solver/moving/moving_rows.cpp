@@ -10,7 +10,7 @@ MovedPoints::MovedPoints(const std::vector<bool>& moved) : before_(1, 0) {
   for (const bool m : moved) before_.push_back(before_.back() + (m ? 1 : 0));
 }
 
-Range MovingRows::reach_of(double place, std::span<const Vector<1>> points) const {
+IndexRange MovingRows::reach_of(double place, std::span<const Vector<1>> points) const {
   const auto left_of = [](const Vector<1>& x, double bound) { return x[0] < bound; };
   const auto low = std::lower_bound(points.begin(), points.end(), place - radius_, left_of);
   auto high = low;

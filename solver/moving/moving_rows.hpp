@@ -19,7 +19,7 @@ namespace porowave::solver {
 class MovedPoints {
  public:
   explicit MovedPoints(const std::vector<bool>& moved);
-  bool any(Range points) const { return before_[points.last] > before_[points.first]; }
+  bool any(IndexRange points) const { return before_[points.last] > before_[points.first]; }
   std::size_t count() const { return before_.back(); }
 
  private:
@@ -48,13 +48,13 @@ class MovingRows {
  private:
   struct Row {
     double place = 0.0;
-    Range reach{};  // points that the support may touch
+    IndexRange reach{};  // points that the support may touch
     std::size_t first_column = 0;
     std::vector<double> values;
     int order_used = -1;
   };
 
-  Range reach_of(double place, std::span<const Vector<1>> points) const;
+  IndexRange reach_of(double place, std::span<const Vector<1>> points) const;
   bool is_still_good(const Row& row, const Row& wanted, const MovedPoints& moved) const;
   void make(std::span<Row> rows, std::span<const Vector<1>> points) const;
 

@@ -4,6 +4,8 @@
 
 #include "solver/test_points.hpp"
 
+BOOST_AUTO_TEST_SUITE(moving_rows)
+
 using namespace porowave::solver;
 
 namespace {
@@ -43,8 +45,6 @@ void check_against_fresh(const MovingRows& rows, long first, const std::vector<d
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(moving_rows)
 
 BOOST_AUTO_TEST_CASE(rows_are_those_of_moving_least_squares) {
   const auto x = sorted_points();

@@ -5,6 +5,8 @@
 
 #include "reference/problem/problem_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(critical_step)
+
 using namespace porowave;
 using namespace porowave::solver;
 namespace tt = boost::test_tools;
@@ -23,8 +25,6 @@ Case uniform_column(int elements) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(critical_step)
 
 BOOST_AUTO_TEST_CASE(it_is_found_to_the_tolerance) {
   for (const double limit : {0.9871, 0.7071, 0.5, 0.1234}) {

@@ -8,6 +8,8 @@
 #include "reference/problem/problem_fixtures.hpp"
 #include "solver/case.hpp"
 
+BOOST_AUTO_TEST_SUITE(growth)
+
 using namespace porowave;
 using namespace porowave::solver;
 namespace tt = boost::test_tools;
@@ -66,8 +68,6 @@ double time_step(const Case& scene, double courant) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(growth)
 
 BOOST_AUTO_TEST_CASE(both_find_the_largest_of_known_eigenvalues) {
   for (const double largest : {1.3, 1.01, 1.002}) {

@@ -6,6 +6,8 @@
 
 #include "reference/problem/problem_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(step_estimates)
+
 using namespace porowave;
 using namespace porowave::solver;
 namespace tt = boost::test_tools;
@@ -40,8 +42,6 @@ double growth_with_explicit_drag(const Case& scene, double dt) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(step_estimates)
 
 BOOST_AUTO_TEST_CASE(waves_cross_a_cell) {
   const Case scene = scene_of(1e-11);

@@ -10,6 +10,8 @@
 #include "solver/stability/galerkin_step.hpp"
 #include "solver/staggered/staggered_solver.hpp"
 
+BOOST_AUTO_TEST_SUITE(step_operator)
+
 using namespace porowave;
 using namespace porowave::solver;
 
@@ -123,8 +125,6 @@ double superposition_error(const StepOperator& step, double dt) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(step_operator)
 
 BOOST_AUTO_TEST_CASE(a_run_from_rest_repeats_the_operator_for_every_transfer) {
   for (const Discretization& transfer : every_transfer()) {

@@ -6,6 +6,9 @@
 #include <stdexcept>
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(band_matrix)
+
 namespace {
 
 // A random matrix, mostly near the diagonals, in both forms.
@@ -32,8 +35,6 @@ Both random_matrix(std::size_t rows, std::size_t columns, std::size_t shift,
   }
   return m;
 }
-
-BOOST_AUTO_TEST_SUITE(band_matrix)
 
 BOOST_AUTO_TEST_CASE(it_multiplies_like_the_full_matrix) {
   for (const std::size_t half_width : {2u, 3u, 4u, 5u}) {
@@ -76,7 +77,8 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_is_refused) {
   BOOST_CHECK_THROW(m.add(0, 5, 1.0), std::invalid_argument);
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

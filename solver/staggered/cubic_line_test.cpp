@@ -6,6 +6,9 @@
 #include <stdexcept>
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(cubic_line)
+
 namespace {
 
 constexpr double h = 0.25;
@@ -49,8 +52,6 @@ double cubic(double x) {
 double cubic_slope(double x) {
   return 0.5 - 4.0 * x + 2.25 * x * x;
 }
-
-BOOST_AUTO_TEST_SUITE(cubic_line)
 
 BOOST_AUTO_TEST_CASE(cubics_are_reproduced_up_to_open_and_held_ends) {
   check(CubicLine::nodes(cells, h, EndRule::open, EndRule::open), on_nodes(cubic), cubic,
@@ -115,7 +116,8 @@ BOOST_AUTO_TEST_CASE(too_few_cells_are_refused) {
                     std::invalid_argument);
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

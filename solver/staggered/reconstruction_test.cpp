@@ -5,6 +5,9 @@
 #include <random>
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(reconstruction)
+
 namespace {
 
 constexpr double h = 0.1;
@@ -33,8 +36,6 @@ double power_sum(const AdaptiveRows& phi, std::size_t r, const std::vector<doubl
   }
   return sum;
 }
-
-BOOST_AUTO_TEST_SUITE(reconstruction)
 
 BOOST_AUTO_TEST_CASE(every_place_keeps_the_order_even_where_points_are_few) {
   // One point a cell at random leaves cells empty; a fixed support must lower its order there.
@@ -98,7 +99,8 @@ BOOST_AUTO_TEST_CASE(polynomials_of_the_basis_come_back_from_the_points_unchange
   }
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

@@ -9,6 +9,9 @@
 #include "reference/problem/problem_fixtures.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(staggered_solver)
+
 namespace {
 
 Case papers_case(const Load& load, int elements = 100) {
@@ -35,8 +38,6 @@ double largest(const std::vector<double>& values) {
   for (const double v : values) result = std::max(result, std::abs(v));
   return result;
 }
-
-BOOST_AUTO_TEST_SUITE(staggered_solver)
 
 BOOST_AUTO_TEST_CASE(results_scale_with_the_load) {
   StaggeredSolver one(papers_case(smooth));
@@ -185,7 +186,8 @@ BOOST_AUTO_TEST_CASE(an_explosion_is_reported_with_step_quantity_and_place) {
   BOOST_TEST(breakdown->reason.find("at x = ") != std::string::npos);
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

@@ -6,6 +6,9 @@
 #include "reference/problem/problem_fixtures.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(time_correction)
+
 namespace {
 
 // One free node under forces f(τ) = f + τ f′ + τ²/2 f″, times around 0.
@@ -74,8 +77,6 @@ double error_of_step(double permeability, double dt, StepPart part) {
   return std::max(std::abs(increments.solid[1] - truth.solid),
                   std::abs(increments.fluid[1] - truth.fluid));
 }
-
-BOOST_AUTO_TEST_SUITE(time_correction)
 
 BOOST_AUTO_TEST_CASE(without_drag_forces_of_second_degree_are_integrated_exactly) {
   for (const StepPart part : {StepPart::whole, StepPart::first_half}) {
@@ -151,7 +152,8 @@ BOOST_AUTO_TEST_CASE(prescribed_ends_keep_their_mean) {
   BOOST_TEST(mean.fluid[2] == 0.0);
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

@@ -6,6 +6,9 @@
 #include "reference/problem/problem_fixtures.hpp"
 
 namespace porowave::solver {
+
+BOOST_AUTO_TEST_SUITE(velocity_update)
+
 namespace {
 
 constexpr std::size_t nodes = 6;
@@ -38,8 +41,6 @@ Problem free_problem(double permeability) {
   problem.column.far = FarEnd::free_drained;
   return problem;
 }
-
-BOOST_AUTO_TEST_SUITE(velocity_update)
 
 BOOST_AUTO_TEST_CASE(free_nodes_move_as_in_the_nodal_update) {
   // One node of unit volume after the other, with forces that hold their share of the load.
@@ -108,7 +109,8 @@ BOOST_AUTO_TEST_CASE(nodes_beyond_the_window_are_left_alone) {
   BOOST_TEST(m.increments.solid[3] == 7.0);
 }
 
+}  // namespace
+
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace
 }  // namespace porowave::solver

@@ -10,6 +10,8 @@
 #include "verification/process/scratch_directory.hpp"
 #include "verification/run_output.hpp"
 
+BOOST_AUTO_TEST_SUITE(adapter_run)
+
 using namespace porowave;
 using namespace porowave::verification;
 namespace fs = std::filesystem;
@@ -63,8 +65,6 @@ void check_failure(const AdapterRun& run, const std::string& expected) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(adapter_run)
 
 BOOST_AUTO_TEST_CASE(the_program_gets_the_case_and_runs_in_the_folder) {
   const Folder folder;

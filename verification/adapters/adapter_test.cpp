@@ -6,6 +6,8 @@
 #include "reference/problem/errors.hpp"
 #include "verification/process/scratch_directory.hpp"
 
+BOOST_AUTO_TEST_SUITE(adapter)
+
 using namespace porowave;
 using namespace porowave::verification;
 namespace fs = std::filesystem;
@@ -48,8 +50,6 @@ class Folder {
 };
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(adapter)
 
 BOOST_AUTO_TEST_CASE(a_table_is_read) {
   const Folder folder;

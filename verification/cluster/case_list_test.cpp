@@ -6,6 +6,8 @@
 #include "reference/problem/errors.hpp"
 #include "verification/process/scratch_directory.hpp"
 
+BOOST_AUTO_TEST_SUITE(case_list)
+
 using namespace porowave;
 using namespace porowave::verification;
 
@@ -30,8 +32,6 @@ std::string refusal(const std::string& text) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(case_list_file)
 
 BOOST_AUTO_TEST_CASE(a_list_comes_back_as_it_was_under_its_key_only) {
   const ScratchDirectory directory;

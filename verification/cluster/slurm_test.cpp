@@ -8,6 +8,8 @@
 #include "verification/process/process.hpp"
 #include "verification/process/scratch_directory.hpp"
 
+BOOST_AUTO_TEST_SUITE(slurm)
+
 using namespace porowave::verification;
 
 namespace {
@@ -17,8 +19,6 @@ bool has(const SlurmJob& job, const std::string& word) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(slurm)
 
 BOOST_AUTO_TEST_CASE(tasks_are_worth_forty_times_their_overhead) {
   const auto tasks = [](double seconds, std::size_t study, int nodes, int cpus) {

@@ -7,6 +7,8 @@
 #include "verification/process/scratch_directory.hpp"
 #include "verification/store/store.hpp"
 
+BOOST_AUTO_TEST_SUITE(status)
+
 using namespace porowave;
 using namespace porowave::verification;
 
@@ -38,8 +40,6 @@ CaseList eight_cases() {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(cluster_status)
 
 BOOST_AUTO_TEST_CASE(every_case_counts_once_whatever_stores_it_is_in) {
   const ScratchDirectory directory;

@@ -6,10 +6,10 @@
 
 #include "verification/paper_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(calibration)
+
 using namespace porowave;
 using namespace porowave::verification;
-
-BOOST_AUTO_TEST_SUITE(calibration)
 
 BOOST_AUTO_TEST_CASE(a_point_of_the_stencil_takes_between_a_tenth_and_a_hundred_nanoseconds) {
   // Six operations: faster than a vector of eight at 8 GHz, or slower than a sanitized build on a

@@ -20,6 +20,8 @@
 #include "verification/faults/study_slice.hpp"
 #include "verification/faults/truth_check.hpp"
 
+BOOST_AUTO_TEST_SUITE(faults)
+
 using namespace porowave;
 using namespace porowave::verification;
 using namespace porowave::verification::faults;
@@ -52,8 +54,6 @@ std::string beginning_of_row(const Fault& fault, const Catch& caught) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(faults)
 
 BOOST_AUTO_TEST_CASE(nothing_is_caught_where_nothing_is_wrong) {
   const auto plain = [](const solver::Case& scene, const reference::Profile& exact) {

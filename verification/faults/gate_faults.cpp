@@ -10,8 +10,8 @@ namespace porowave::verification::faults {
 
 namespace {
 
-using fixtures::scattered;
-using fixtures::Trial;
+using gate_fixtures::scattered;
+using gate_fixtures::Trial;
 
 struct Situation {
   std::string name;

@@ -26,13 +26,13 @@ bool finds(const OrderEstimate& estimate, double order, double tolerance) {
   return estimate.status == OrderStatus::observed && std::abs(estimate.order - order) <= tolerance;
 }
 
-struct Fact {
+struct OrderFact {
   std::string name;
   std::function<bool(const OrderFunction&)> holds;
 };
 
-const std::vector<Fact>& facts() {
-  static const std::vector<Fact> all = {
+const std::vector<OrderFact>& order_facts() {
+  static const std::vector<OrderFact> all = {
       {"h² on grids halved has order 2",
        [](const auto& order_of) { return finds(order_of(table_of(halved, square)), 2.0, 1e-9); }},
       {"h² on grids of unequal ratios has order 2",
@@ -97,7 +97,7 @@ Fault in_order(const std::string& what, const std::string& named, const OrderFun
 }  // namespace
 
 Catch caught_by_order_facts(const OrderFunction& order_of) {
-  for (const Fact& fact : facts()) {
+  for (const OrderFact& fact : order_facts()) {
     if (!fact.holds(order_of)) return {"facts of orders", "does not hold: " + fact.name};
   }
   return {"facts of orders", ""};

@@ -4,6 +4,8 @@
 
 #include "verification/paper_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(plain_column)
+
 using namespace porowave;
 using namespace porowave::verification;
 using namespace porowave::verification::faults;
@@ -18,8 +20,6 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(plain_column)
 
 BOOST_AUTO_TEST_CASE(with_all_its_pieces_right_it_is_the_solver) {
   for (const auto transfer : {solver::TransferName::mls, solver::TransferName::shape}) {

@@ -18,7 +18,7 @@ constexpr std::string_view header =
     "group,measure,seeds,replicates,order,order_half,spacing,mean_log,sd_log";
 constexpr std::size_t columns = 9;
 
-std::string quoted(const std::string& text) {
+std::string quoted_field(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"') result += '"';
@@ -45,7 +45,7 @@ std::vector<std::string> split(const std::string& line) {
   return fields;
 }
 
-double number(const std::string& text, const std::string& where) {
+double number_in(const std::string& text, const std::string& where) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) {
@@ -61,12 +61,12 @@ void read_row(const std::string& line, const std::string& where, Baseline& basel
   }
   Expected& expected = baseline.expected[{fields[0], fields[1]}];
   expected.seeds = fields[2];
-  expected.replicates = static_cast<int>(number(fields[3], where));
-  expected.order = number(fields[4], where);
-  expected.order_half = number(fields[5], where);
-  expected.spacing.push_back(number(fields[6], where));
-  expected.mean_log.push_back(number(fields[7], where));
-  expected.sd_log.push_back(number(fields[8], where));
+  expected.replicates = static_cast<int>(number_in(fields[3], where));
+  expected.order = number_in(fields[4], where);
+  expected.order_half = number_in(fields[5], where);
+  expected.spacing.push_back(number_in(fields[6], where));
+  expected.mean_log.push_back(number_in(fields[7], where));
+  expected.sd_log.push_back(number_in(fields[8], where));
 }
 
 }  // namespace
@@ -105,10 +105,10 @@ std::string baseline_text(const Baseline& baseline) {
   text += fmt::format("{}\n", header);
   for (const auto& [key, expected] : baseline.expected) {
     for (std::size_t i = 0; i < expected.spacing.size(); ++i) {
-      text += fmt::format("{},{},{},{},{:.4f},{:.4f},{},{:.6f},{:.6f}\n", quoted(key.first),
-                          key.second, quoted(expected.seeds), expected.replicates, expected.order,
-                          expected.order_half, expected.spacing[i], expected.mean_log[i],
-                          expected.sd_log[i]);
+      text += fmt::format("{},{},{},{},{:.4f},{:.4f},{},{:.6f},{:.6f}\n", quoted_field(key.first),
+                          key.second, quoted_field(expected.seeds), expected.replicates,
+                          expected.order, expected.order_half, expected.spacing[i],
+                          expected.mean_log[i], expected.sd_log[i]);
     }
   }
   return text;

@@ -7,6 +7,8 @@
 #include "reference/problem/errors.hpp"
 #include "verification/process/scratch_directory.hpp"
 
+BOOST_AUTO_TEST_SUITE(baseline)
+
 using namespace porowave;
 using namespace porowave::verification;
 
@@ -29,8 +31,6 @@ Baseline written_and_read(const std::string& text) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(baseline)
 
 BOOST_AUTO_TEST_CASE(what_is_written_is_read) {
   const Baseline again = written_and_read(baseline_text(sample()));

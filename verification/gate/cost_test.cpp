@@ -5,10 +5,12 @@
 
 #include "verification/gate/gate_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(cost)
+
 using namespace porowave;
 using namespace porowave::verification;
-using fixtures::scattered;
-using fixtures::Trial;
+using gate_fixtures::scattered;
+using gate_fixtures::Trial;
 
 namespace {
 
@@ -47,8 +49,6 @@ void check(const Verdict& verdict, VerdictKind kind, const std::string& words) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(cost)
 
 BOOST_AUTO_TEST_CASE(a_slower_machine_costs_no_more_and_a_slower_solver_does) {
   const Trial trial(rules);

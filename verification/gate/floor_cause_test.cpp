@@ -5,6 +5,8 @@
 #include "verification/gate/gate_fixtures.hpp"
 #include "verification/sweep/sweep.hpp"
 
+BOOST_AUTO_TEST_SUITE(floor_cause)
+
 using namespace porowave;
 using namespace porowave::verification;
 
@@ -47,8 +49,6 @@ void check_cause(const Verdict& verdict, const std::string& cause,
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(floor_cause)
 
 BOOST_AUTO_TEST_CASE(shorter_steps_do_not_help_where_elements_are_long) {
   check_cause(verdict_of(study_by("time.courant", "[0.4, 0.2, 0.1, 0.05]", "elements = 60")),

@@ -6,7 +6,7 @@
 #include "verification/gate/gate.hpp"
 #include "verification/process/scratch_directory.hpp"
 
-namespace porowave::verification::fixtures {
+namespace porowave::verification::gate_fixtures {
 
 /// A study of two kernels, four seeds and three levels, and stores with errors made up for it.
 struct Trial {
@@ -66,4 +66,4 @@ inline double scattered(const solver::Discretization& d, double order) {
   return 0.01 * std::pow(100.0 / d.elements, order) * std::exp(0.05 * std::sin(phase));
 }
 
-}  // namespace porowave::verification::fixtures
+}  // namespace porowave::verification::gate_fixtures

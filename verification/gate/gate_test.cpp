@@ -6,10 +6,12 @@
 #include "reference/problem/errors.hpp"
 #include "verification/gate/gate_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(gate)
+
 using namespace porowave;
 using namespace porowave::verification;
-using fixtures::scattered;
-using fixtures::Trial;
+using gate_fixtures::scattered;
+using gate_fixtures::Trial;
 
 namespace {
 
@@ -35,8 +37,6 @@ void check(const Verdict& verdict, VerdictKind kind, const std::string& words) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(gate)
 
 BOOST_AUTO_TEST_CASE(the_order_of_theory_is_judged_to_both_sides) {
   const Trial trial(theory);

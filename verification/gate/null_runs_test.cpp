@@ -7,6 +7,8 @@
 #include "verification/process/scratch_directory.hpp"
 #include "verification/sweep/sweep.hpp"
 
+BOOST_AUTO_TEST_SUITE(null_runs)
+
 using namespace porowave;
 using namespace porowave::verification;
 
@@ -60,8 +62,6 @@ int asked_runs() {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(null_runs)
 
 BOOST_AUTO_TEST_CASE(a_gate_of_unchanged_code_stays_green_and_sees_a_lost_fifth_of_an_order) {
   const auto baseline = read_baseline(room + "baselines/smoke.csv");

@@ -10,7 +10,7 @@ namespace porowave::verification {
 
 namespace {
 
-double number(const TomlValue& value) {
+double number_of(const TomlValue& value) {
   if (const auto* integer = std::get_if<std::int64_t>(&value.value)) {
     return static_cast<double>(*integer);
   }
@@ -21,7 +21,7 @@ double number(const TomlValue& value) {
 double spacing_of(const Study& study, const TomlValue& level) {
   const bool counted = study.axes[*study.refine].key == "elements" ||
                        study.axes[*study.refine].key == "points_per_element";
-  return counted ? 1.0 / number(level) : number(level);
+  return counted ? 1.0 / number_of(level) : number_of(level);
 }
 
 std::string words(const Study& study, const std::vector<TomlValue>& at, bool whole) {

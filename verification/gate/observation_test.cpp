@@ -5,12 +5,12 @@
 
 #include "verification/gate/gate_fixtures.hpp"
 
-using namespace porowave::verification;
-
 BOOST_AUTO_TEST_SUITE(observation)
 
+using namespace porowave::verification;
+
 BOOST_AUTO_TEST_CASE(cases_that_differ_in_level_and_seed_make_a_group) {
-  const fixtures::Trial trial;
+  const gate_fixtures::Trial trial;
   const auto groups = groups_of(trial.study, trial.store_with([](const auto&) { return 0.5; }));
   BOOST_REQUIRE(groups.size() == 2U);
   BOOST_TEST(groups[1].name == "discretization.kernel = \"bspline2\"");
@@ -22,7 +22,7 @@ BOOST_AUTO_TEST_CASE(cases_that_differ_in_level_and_seed_make_a_group) {
 }
 
 BOOST_AUTO_TEST_CASE(errors_stand_at_their_level_and_seed) {
-  const fixtures::Trial trial;
+  const gate_fixtures::Trial trial;
   const auto groups = groups_of(trial.study, trial.store_with([](const auto& d) {
     return d.elements + 0.1 * static_cast<double>(d.seed);
   }));
@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(errors_stand_at_their_level_and_seed) {
 }
 
 BOOST_AUTO_TEST_CASE(missing_failed_and_broken_cases_are_told_apart) {
-  const fixtures::Trial trial;
+  const gate_fixtures::Trial trial;
   int row = 0;
   const auto groups =
       groups_of(trial.study, trial.store_with([](const auto&) { return 0.5; },

@@ -8,6 +8,8 @@
 #include "reference/problem/problem_fixtures.hpp"
 #include "verification/run.hpp"
 
+BOOST_AUTO_TEST_SUITE(grade)
+
 using namespace porowave;
 using namespace porowave::verification;
 
@@ -36,8 +38,6 @@ PointTable exact_points(double factor = 1.0, double time = time_of_points) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(grade)
 
 BOOST_AUTO_TEST_CASE(a_factor_is_the_error_in_every_norm) {
   for (const double factor : {1.0, 1.01, 0.9, 0.0}) {

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "verification/not_a_number.hpp"
+
 namespace porowave::verification {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_times = 1000;
 /// Share of the length by which a rounded x may stand outside.

@@ -5,6 +5,8 @@
 
 #include "reference/problem/errors.hpp"
 
+BOOST_AUTO_TEST_SUITE(point_table)
+
 using namespace porowave;
 using namespace porowave::verification;
 
@@ -28,8 +30,6 @@ void check_refused(const std::string& text, const std::string& expected,
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(point_table)
 
 BOOST_AUTO_TEST_CASE(values_are_found_wherever_their_column_stands) {
   const PointTable table = read(

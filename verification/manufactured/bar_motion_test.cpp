@@ -7,6 +7,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(bar_motion)
+
 using namespace porowave;
 using namespace porowave::verification;
 
@@ -27,8 +29,6 @@ const std::array<double, 4> places{0.1, 0.63, 1.2, 1.9};
 const std::array<double, 3> times{0.004, 0.021, 0.043};
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(bar_motion)
 
 BOOST_AUTO_TEST_CASE(it_starts_undeformed_and_at_rest) {
   const BarMotion m = motion();

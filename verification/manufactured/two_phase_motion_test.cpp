@@ -10,6 +10,8 @@
 
 #include "reference/problem/problem_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(two_phase_motion)
+
 using namespace porowave;
 using namespace porowave::verification;
 
@@ -76,8 +78,6 @@ void for_all(Check&& check) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(two_phase_motion)
 
 BOOST_AUTO_TEST_CASE(momentum_of_both_phases_is_balanced) {
   for_all([](const TwoPhaseMotion& motion, const Terms& of) {

@@ -6,10 +6,10 @@
 
 #include "verification/order/manufactured_tables.hpp"
 
+BOOST_AUTO_TEST_SUITE(convergence_fit)
+
 using namespace porowave::verification;
 using namespace porowave::verification::manufactured;
-
-BOOST_AUTO_TEST_SUITE(convergence_fit)
 
 BOOST_AUTO_TEST_CASE(a_power_is_found_exactly_whatever_the_ratios_and_the_sign_of_its_order) {
   for (const double order : {2.0, 0.5, 0.0, -1.5, 7.0}) {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-using namespace porowave::verification;
-
 BOOST_AUTO_TEST_SUITE(error_table)
+
+using namespace porowave::verification;
 
 BOOST_AUTO_TEST_CASE(means_are_of_logarithms_and_their_variance_of_the_mean) {
   const LogMeans levels = log_means({{0.5, 0.25}, {{1.0, 4.0}, {3.0, 3.0}}});

@@ -9,6 +9,8 @@
 #include <limits>
 #include <memory>
 
+#include "verification/not_a_number.hpp"
+
 namespace porowave::verification {
 
 namespace {
@@ -86,7 +88,6 @@ void set_interval(const ErrorTable& table, const LogMeans& levels, const Converg
 }  // namespace
 
 OrderEstimate estimate_order(const ErrorTable& table, const OrderOptions& options) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const LogMeans levels = log_means(table);
   OrderEstimate result;
   result.order = result.low = result.high = nan;

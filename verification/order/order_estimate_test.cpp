@@ -5,6 +5,8 @@
 
 #include "verification/order/manufactured_tables.hpp"
 
+BOOST_AUTO_TEST_SUITE(order_estimate)
+
 using namespace porowave::verification;
 using namespace porowave::verification::manufactured;
 
@@ -15,8 +17,6 @@ double square(double h) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(order_estimate)
 
 BOOST_AUTO_TEST_CASE(an_exact_power_has_an_interval_of_no_width) {
   for (const double order : {2.0, 1.0, 3.0, 0.0, -1.0}) {

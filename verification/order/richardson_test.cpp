@@ -4,9 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-using namespace porowave::verification;
-
 BOOST_AUTO_TEST_SUITE(richardson)
+
+using namespace porowave::verification;
 
 BOOST_AUTO_TEST_CASE(order_limit_and_index_of_a_power_are_exact) {
   const std::array<double, 3> h = {0.1, 0.06, 0.02};

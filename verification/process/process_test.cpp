@@ -9,6 +9,8 @@
 #include "reference/problem/errors.hpp"
 #include "verification/process/scratch_directory.hpp"
 
+BOOST_AUTO_TEST_SUITE(process)
+
 using namespace porowave;
 using namespace porowave::verification;
 namespace fs = std::filesystem;
@@ -35,8 +37,6 @@ void check_gone(const std::string& file) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(process)
 
 BOOST_AUTO_TEST_CASE(arguments_reach_the_program_unchanged) {
   const ScratchDirectory folder;

@@ -6,6 +6,8 @@
 #include "reference/problem/problem_fixtures.hpp"
 #include "verification/stability/random_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(observed_growth)
+
 using namespace porowave;
 using namespace porowave::verification;
 namespace tt = boost::test_tools;
@@ -24,8 +26,6 @@ solver::Case one_point_column(solver::TransferName transfer) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(observed_growth)
 
 // One point in the middle of every cell does not see the shortest wave: its stresses are multiplied
 // by 1 − (2 courant)² a step (solver/stability/growth_test.cpp).

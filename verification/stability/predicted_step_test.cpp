@@ -15,6 +15,8 @@
 #include "verification/stability/observed_growth.hpp"
 #include "verification/stability/random_scene.hpp"
 
+BOOST_AUTO_TEST_SUITE(predicted_step)
+
 using namespace porowave;
 using namespace porowave::verification;
 
@@ -51,8 +53,6 @@ solver::CriticalStep observed(const solver::Case& scene) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(predicted_step)
 
 // Both by the same search and the same limit of growth, 1e-3 a step. The observed one knows nothing
 // of the operator: it runs the solver from noise, 16,000 steps or more at every Courant number.

@@ -2,15 +2,18 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <sstream>
 
 #include "reference/problem/problem_fixtures.hpp"
 #include "solver/column_solver.hpp"
 #include "verification/stability/stability_output.hpp"
+#include "verification/stability/text_fixtures.hpp"
+
+BOOST_AUTO_TEST_SUITE(scene_stability)
 
 using namespace porowave;
 using namespace porowave::verification;
 namespace tt = boost::test_tools;
+using fixtures::lines_of;
 
 namespace {
 
@@ -38,16 +41,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(scene_stability)
 
 BOOST_AUTO_TEST_CASE(the_step_is_that_of_the_run) {
   const solver::Case scene = one_point_column(0.5);

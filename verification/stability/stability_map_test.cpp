@@ -2,13 +2,16 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <sstream>
 
 #include "reference/problem/toml_document.hpp"
+#include "verification/stability/text_fixtures.hpp"
+
+BOOST_AUTO_TEST_SUITE(stability_map)
 
 using namespace porowave;
 using namespace porowave::verification;
 namespace tt = boost::test_tools;
+using fixtures::lines_of;
 
 namespace {
 
@@ -45,16 +48,7 @@ name = "points"
                                         "study.toml"));
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(stability_map)
 
 // 1/sqrt(2 - w), w = mean (1 - 2t)^2 (solver/stability/growth_test.cpp).
 BOOST_AUTO_TEST_CASE(every_case_has_its_limit_or_its_reason) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "reference/problem/errors.hpp"
+#include "verification/not_a_number.hpp"
 
 namespace porowave::verification {
 
@@ -47,7 +48,7 @@ std::string table_sql() {
 }
 
 /// The name of a column as SQL takes it, whatever it is.
-std::string quoted(std::string_view name) {
+std::string quoted_name(std::string_view name) {
   std::string text = "\"";
   for (const char c : name) text.append(c == '"' ? 2 : 1, c);
   return text + "\"";
@@ -59,7 +60,7 @@ constexpr auto unless_failed = " ON CONFLICT(id) DO UPDATE SET {} WHERE cases.st
 std::string replacement(const std::vector<std::string>& names) {
   std::vector<std::string> assignments;
   for (const std::string& name : names) {
-    if (name != "id") assignments.push_back(fmt::format("{0} = excluded.{0}", quoted(name)));
+    if (name != "id") assignments.push_back(fmt::format("{0} = excluded.{0}", quoted_name(name)));
   }
   return fmt::format(fmt::runtime(unless_failed), fmt::join(assignments, ", "));
 }
@@ -88,7 +89,7 @@ void add_columns(Database& database, const std::vector<std::string>& names) {
   const std::vector<std::string> present = columns_in(database, "main");
   for (const std::string& name : names) {
     if (contains(present, name)) continue;
-    database.execute(fmt::format("ALTER TABLE main.cases ADD COLUMN {} REAL", quoted(name)));
+    database.execute(fmt::format("ALTER TABLE main.cases ADD COLUMN {} REAL", quoted_name(name)));
   }
 }
 
@@ -151,7 +152,6 @@ void bind(Statement& statement, const Record& record) {
 }
 
 Record record_of(const Statement& row) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   int i = 0;
   Record record;
   record.id = row.text(i++);
@@ -309,7 +309,7 @@ void Store::merge(const std::string& other) {
   Transaction transaction(database_);
   add_columns(database_, names);
   std::vector<std::string> list(names.size());
-  std::transform(names.begin(), names.end(), list.begin(), quoted);
+  std::transform(names.begin(), names.end(), list.begin(), quoted_name);
   // "WHERE true" lets SQLite tell the conflict clause from a join.
   database_.execute(
       fmt::format("INSERT OR IGNORE INTO provenance SELECT * FROM other.provenance; "

@@ -12,6 +12,8 @@
 #include "reference/problem/errors.hpp"
 #include "verification/process/scratch_directory.hpp"
 
+BOOST_AUTO_TEST_SUITE(store)
+
 using namespace porowave;
 using namespace porowave::verification;
 
@@ -98,8 +100,6 @@ class NoLargeFiles {
 };
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(store)
 
 BOOST_AUTO_TEST_CASE(rows_come_back_as_they_were_in_the_order_of_their_ids) {
   const ScratchDirectory directory;

@@ -5,10 +5,10 @@
 #include "reference/problem/toml_document.hpp"
 #include "verification/study/build_identity.hpp"
 
+BOOST_AUTO_TEST_SUITE(case_identity)
+
 using namespace porowave;
 using namespace porowave::verification;
-
-BOOST_AUTO_TEST_SUITE(case_identity)
 
 BOOST_AUTO_TEST_CASE(hashes_are_those_published_for_fnv_1a) {
   BOOST_TEST(text_hash("") == "6c62272e07bb014262b821756295c58d");

@@ -5,6 +5,8 @@
 
 #include "reference/problem/errors.hpp"
 
+BOOST_AUTO_TEST_SUITE(study)
+
 using namespace porowave;
 using namespace porowave::verification;
 
@@ -33,8 +35,6 @@ std::string message_of(const std::string& rest) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(study)
 
 BOOST_AUTO_TEST_CASE(cases_are_the_product_of_the_axes_the_last_one_fastest) {
   const Study study = study_of(

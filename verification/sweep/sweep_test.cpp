@@ -10,6 +10,8 @@
 #include "verification/process/scratch_directory.hpp"
 #include "verification/sweep/repeat.hpp"
 
+BOOST_AUTO_TEST_SUITE(sweep)
+
 using namespace porowave;
 using namespace porowave::verification;
 
@@ -46,8 +48,6 @@ bool same_rows(const std::vector<Record>& a, const std::vector<Record>& b) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(sweep)
 
 BOOST_AUTO_TEST_CASE(every_case_becomes_a_row_and_a_second_sweep_has_nothing_to_do) {
   const ScratchDirectory directory;

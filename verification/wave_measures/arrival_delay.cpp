@@ -8,12 +8,12 @@
 #include <optional>
 
 #include "reference/waves.hpp"
+#include "verification/not_a_number.hpp"
 
 namespace porowave::verification {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// A front is one if its rise is at least this share of the largest amplitude anywhere.
 constexpr double least_share = 0.05;
 /// Levels are looked up within this share of the rise, off its ends.

@@ -8,6 +8,8 @@
 #include "verification/run.hpp"
 #include "verification/wave_measures/wave_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(arrival_delay)
+
 using namespace porowave;
 using namespace porowave::verification;
 using reference::Profile;
@@ -44,8 +46,6 @@ std::array<double, 2> delays_of_run(int cells) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(arrival_delay)
 
 BOOST_AUTO_TEST_CASE(a_reference_that_is_shifted_is_late_by_its_shift) {
   // As short as a hundred cells can show them.

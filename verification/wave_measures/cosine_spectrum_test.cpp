@@ -8,6 +8,8 @@
 #include <random>
 #include <thread>
 
+BOOST_AUTO_TEST_SUITE(cosine_spectrum)
+
 using namespace porowave::verification;
 
 namespace {
@@ -38,8 +40,6 @@ double weighted_squares(const std::vector<double>& v, Places places) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(cosine_spectrum)
 
 BOOST_AUTO_TEST_CASE(energies_add_up_to_the_squares_of_the_values) {
   for (const Places places : {Places::cell_middles, Places::nodes}) {

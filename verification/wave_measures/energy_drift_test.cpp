@@ -9,6 +9,8 @@
 #include "verification/run.hpp"
 #include "verification/wave_measures/wave_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(energy_drift)
+
 using namespace porowave;
 using namespace porowave::verification;
 using wave_fixtures::column;
@@ -35,8 +37,6 @@ Fields standing_wave(const Material& m, double x, double t) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(energy_drift)
 
 BOOST_AUTO_TEST_CASE(a_standing_wave_keeps_the_energy_that_theory_gives_it) {
   // All kinetic at t = 0: 1/2 (n_s rho_s r_s^2 + n_f rho_f r_f^2) L/2; sums of squares of whole

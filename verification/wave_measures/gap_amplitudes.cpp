@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "verification/not_a_number.hpp"
 #include "verification/wave_measures/arrival_delay.hpp"
 
 namespace porowave::verification {
@@ -32,7 +33,6 @@ std::size_t element_of(double x, double spacing, std::size_t elements) {
 
 GapAmplitudes gap_amplitudes(const solver::Case& scene, const solver::Snapshot& snapshot,
                              const ReferenceValues& reference) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const auto& empty = scene.discretization.empty_elements;
   if (empty.empty()) return {nan, nan};
   const double h = spacing(snapshot);

@@ -6,6 +6,8 @@
 #include "verification/run.hpp"
 #include "verification/wave_measures/wave_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(gap_amplitudes)
+
 using namespace porowave;
 using namespace porowave::verification;
 using wave_fixtures::column;
@@ -58,8 +60,6 @@ GapAmplitudes of_run(const solver::Case& scene) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(gap_amplitudes)
 
 BOOST_AUTO_TEST_CASE(a_superposed_reflection_is_found_with_its_sign) {
   for (const LoadShape shape : {LoadShape::smooth_ramp, LoadShape::sin4_pulse, LoadShape::step}) {

@@ -6,6 +6,8 @@
 #include "verification/wave_measures/energy_drift.hpp"
 #include "verification/wave_measures/wave_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(mode_amplitudes)
+
 using namespace porowave;
 using namespace porowave::verification;
 
@@ -28,8 +30,6 @@ Fields pure_wave(const Material& m, std::size_t mode, double direction) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(mode_amplitudes)
 
 BOOST_AUTO_TEST_CASE(a_wave_of_one_mode_and_direction_is_in_its_own_amplitude_alone) {
   for (const Material& m : materials) {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "verification/not_a_number.hpp"
+
 namespace porowave::verification {
 
 namespace {
@@ -21,7 +23,6 @@ Overshoot overshoot(std::span<const double> values, std::span<const double> refe
   if (values.empty() || values.size() != reference.size()) {
     throw std::invalid_argument("overshoot: as many values as references, at least one");
   }
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const double variation = total_variation(values);
   const double reference_variation = total_variation(reference);
   // Only sums keep a NaN.

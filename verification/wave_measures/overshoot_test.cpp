@@ -8,6 +8,8 @@
 #include "verification/run.hpp"
 #include "verification/wave_measures/wave_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(overshoot)
+
 using namespace porowave;
 using namespace porowave::verification;
 using Values = std::vector<double>;
@@ -24,8 +26,6 @@ WaveMeasures measures_of_run(const Load& load) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(overshoot)
 
 BOOST_AUTO_TEST_CASE(an_excess_is_a_share_of_the_range_of_the_reference) {
   const Values jump = {-2.0, -2.0, -2.0, 0.0, 0.0};

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "verification/not_a_number.hpp"
+
 namespace porowave::verification {
 
 namespace {
@@ -29,7 +31,6 @@ Ringing ringing(std::span<const double> values, std::span<const double> referenc
   const double in_short = std::accumulate(shorter, energy.end(), 0.0);
   const double in_long = std::accumulate(energy.begin(), shorter, 0.0);
   const double of_reference = sum_of_squares(reference, places);
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   if (!std::isfinite(in_short + in_long) || !std::isfinite(of_reference)) return {nan, nan};
   const double all = in_short + in_long;
   const double nothing = in_short == 0.0 ? 0.0 : nan;

@@ -8,6 +8,8 @@
 #include "verification/run.hpp"
 #include "verification/wave_measures/wave_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(ringing)
+
 using namespace porowave;
 using namespace porowave::verification;
 using wave_fixtures::column;
@@ -37,8 +39,6 @@ Ringing of_error(Places places, const std::function<double(double)>& error) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(ringing)
 
 BOOST_AUTO_TEST_CASE(short_and_long_waves_in_an_error_are_told_apart) {
   for (const Places places : {Places::cell_middles, Places::nodes}) {

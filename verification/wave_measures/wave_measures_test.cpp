@@ -10,10 +10,10 @@
 #include "verification/sweep/sweep.hpp"
 #include "verification/wave_measures/wave_fixtures.hpp"
 
+BOOST_AUTO_TEST_SUITE(wave_measures)
+
 using namespace porowave;
 using namespace porowave::verification;
-
-BOOST_AUTO_TEST_SUITE(wave_measures)
 
 BOOST_AUTO_TEST_CASE(every_number_stands_under_its_name) {
   WaveMeasures m;
