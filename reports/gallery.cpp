@@ -13,9 +13,13 @@
 #include <string_view>
 #include <vector>
 
+#include "reports/demo.hpp"
+#include "reports/history_figures.hpp"
 #include "reports/output_file.hpp"
 #include "reports/reference_figures.hpp"
 #include "reports/solver_figures.hpp"
+#include "reports/stability_map_figure.hpp"
+#include "reports/wave_figures.hpp"
 #include "solver/case.hpp"
 
 namespace {
@@ -60,11 +64,97 @@ reports::Figure solver_work_precision(const Directory& directory) {
   return reports::solver_work_precision(measured);
 }
 
-const std::map<std::string, std::function<reports::Figure(const Directory&)>> figures = {
-    {"reference_contours", [](const Directory&) { return reports::reference_contours(); }},
+/// A smooth wave meets an empty element in the middle, with the support enlarged there.
+const reports::RunHistory& past_the_gap() {
+  static const reports::RunHistory history = [] {
+    solver::Case scene = papers_column();
+    scene.problem.load = Load(LoadShape::smooth_ramp, 1.0, 4e-6);
+    scene.discretization.elements = 201;
+    scene.discretization.placement = solver::Placement::stratified;
+    scene.discretization.adaptive_support = true;
+    scene.discretization.empty_elements = {0.05};
+    scene.time.end = 8e-5;
+    return reports::run_history(scene, 160);
+  }();
+  return history;
+}
+
+verification::Method method(const std::string& name, const std::string& kernel,
+                            solver::Scheme scheme, solver::Placement placement) {
+  solver::Case scene = papers_column();
+  scene.discretization.elements = 200;
+  scene.discretization.placement = placement;
+  scene.discretization.kernel = solver::kernel_from_name(kernel).value();
+  scene.discretization.support_radius = solver::natural_radius(scene.discretization.kernel);
+  scene.discretization.scheme = scheme;
+  if (scheme == solver::Scheme::staggered4) scene.discretization.basis_order = 3;
+  return {name, scene};
+}
+
+std::vector<verification::Method> compared_methods(solver::Placement placement) {
+  using solver::Scheme;
+  return {method("mls, bspline1", "bspline1", Scheme::galerkin, placement),
+          method("mls, bspline2", "bspline2", Scheme::galerkin, placement),
+          method("mls, wendland_c2", "wendland_c2", Scheme::galerkin, placement),
+          method("staggered4", "bspline2", Scheme::staggered4, placement)};
+}
+
+reports::Figure stability_map(const Directory& directory) {
+  const auto study =
+      verification::load_study(POROWAVE_SOURCE_DIR "/verification/studies/stability_map.toml");
+  const auto map = verification::stability_map(study, {});
+  reports::write_file(directory / "stability_map.csv",
+                      [&](std::ostream& out) { verification::write_map_csv(study, map, out); });
+  return reports::stability_map_figure(study, map);
+}
+
+using Files = std::vector<std::filesystem::path>;
+
+Files draw_one(const reports::Figure& figure, const Directory& directory) {
+  return reports::draw(figure, directory);
+}
+
+const std::map<std::string, std::function<Files(const Directory&)>> figures = {
+    {"paper", [](const Directory& to) { return reports::run_demo(to); }},
+    {"dispersion",
+     [](const Directory& to) {
+       return draw_one(
+           reports::dispersion_figure(
+               "dispersion",
+               "Waves of the scheme against the exact ones, uniform points, courant 0.5",
+               compared_methods(solver::Placement::uniform)),
+           to);
+     }},
+    {"error_spectrum",
+     [](const Directory& to) {
+       return draw_one(reports::error_spectrum_figure(
+                           "error_spectrum",
+                           "Smooth load, stratified points, 200 cells: where the error stands",
+                           compared_methods(solver::Placement::stratified)),
+                       to);
+     }},
+    {"space_time",
+     [](const Directory& to) {
+       return draw_one(reports::space_time_figure(
+                           "space_time", "The wave passes an empty element under adaptive support",
+                           past_the_gap()),
+                       to);
+     }},
+    {"wave_past_the_gap",
+     [](const Directory& to) {
+       return draw_one(
+           reports::animation_figure("wave_past_the_gap",
+                                     "The wave passes an empty element under adaptive support",
+                                     past_the_gap()),
+           to);
+     }},
+    {"stability_map", [](const Directory& to) { return draw_one(stability_map(to), to); }},
+    {"reference_contours",
+     [](const Directory& to) { return draw_one(reports::reference_contours(), to); }},
     {"reference_work_precision",
-     [](const Directory&) { return reports::reference_work_precision(); }},
-    {"solver_work_precision", solver_work_precision}};
+     [](const Directory& to) { return draw_one(reports::reference_work_precision(), to); }},
+    {"solver_work_precision",
+     [](const Directory& to) { return draw_one(solver_work_precision(to), to); }}};
 
 }  // namespace
 
@@ -89,8 +179,7 @@ int main(int argc, char** argv) {
     reports::require_gnuplot();
     std::filesystem::create_directories(arguments.front());
     for (const std::string& name : names) {
-      for (const auto& path :
-           reports::draw(figures.at(name)(arguments.front()), arguments.front())) {
+      for (const auto& path : figures.at(name)(arguments.front())) {
         fmt::print("wrote {}\n", path.string());
       }
     }

@@ -73,6 +73,7 @@ std::vector<fs::path> draw(const Figure& figure, const fs::path& directory) {
     files.push_back(directory / (figure.name + ending));
   }
   if (figure.for_paper) files.push_back(directory / (figure.name + ".pdf"));
+  if (figure.animated) files.push_back(directory / (figure.name + ".gif"));
   try {
     write_file(files[3], figure.data);
     write_file(files[2], script);

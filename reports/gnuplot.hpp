@@ -17,10 +17,12 @@ struct Figure {
   std::string data;  ///< contents of <name>.dat
   /// A figure of a report: its data is a table, <name>.csv, and it is drawn as <name>.pdf as well.
   bool for_paper = false;
+  bool animated = false;  ///< <name>.gif as well
 };
 
-/// Writes data and script, runs gnuplot, and returns the files written (svg, png, gp, data, pdf).
-/// Throws EnvironmentError if gnuplot is missing or fails; then nothing of the figure is left.
+/// Writes data and script, runs gnuplot, and returns the files written (svg, png, gp, data, pdf,
+/// gif). Throws EnvironmentError if gnuplot is missing or fails; then nothing of the figure is
+/// left.
 std::vector<std::filesystem::path> draw(const Figure& figure,
                                         const std::filesystem::path& directory);
 
