@@ -125,8 +125,16 @@ BOOST_AUTO_TEST_CASE(tasks_and_merge_are_submitted_and_again_only_what_is_missin
   }
   BOOST_TEST(contains(status(), "12 done"));
   const std::string before = slurm.submitted();
-  BOOST_TEST(contains(submit().output, "nothing to run"));
-  BOOST_TEST(slurm.submitted() == before);
+  BOOST_TEST(contains(submit().output, "rows of 8 cases are in shards only"));
+  const std::string merge = slurm.submitted().substr(before.size());
+  BOOST_TEST(contains(merge, store + ".slurm/3/merge.sh\n"), merge);
+  BOOST_TEST(!contains(merge, "--dependency"), merge);
+  for (const char* shard : {"s.shards/2-1", "s.shards/2-2", "s.shards/2-3"}) {
+    BOOST_TEST(run_porowave({"merge", "s", shard}, work).exit_code == 0);
+  }
+  const std::string merged = slurm.submitted();
+  BOOST_TEST(contains(submit().output, "nothing to run, and all rows are in"));
+  BOOST_TEST(slurm.submitted() == merged);
 }
 
 BOOST_AUTO_TEST_CASE(a_dry_run_prints_both_scripts_and_leaves_nothing) {

@@ -46,6 +46,11 @@ void print(const SlurmJob& job) {
              verification::shell_line(job.command));
 }
 
+void submit_merge(const SlurmJob& merge, const std::string& store) {
+  write_file(merge.script_path, merge.script);
+  fmt::print("submitted job {}: merges the shards into {}\n", verification::submit(merge), store);
+}
+
 /// Writes what the tasks read, then submits both jobs.
 void submit_all(const ClusterFiles& files, int submission, const SlurmJob& sweep,
                 const verification::CaseList& cases, const std::string& program,
@@ -55,9 +60,24 @@ void submit_all(const ClusterFiles& files, int submission, const SlurmJob& sweep
   write_file(sweep.script_path, sweep.script);
   const std::string array = verification::submit(sweep);
   fmt::print("submitted job {}: the tasks\n", array);
-  const SlurmJob merge = verification::merge_job(files, submission, program, options, array);
-  write_file(merge.script_path, merge.script);
-  fmt::print("submitted job {}: merges them into {}\n", verification::submit(merge), files.store);
+  submit_merge(verification::merge_job(files, submission, program, options, array), files.store);
+}
+
+/// All cases have a row; a merging job that was lost may have left some of them in shards.
+void submit_what_is_left(const ClusterFiles& files, int submission,
+                         const verification::CaseList& all,
+                         const verification::SlurmOptions& options, bool dry_run) {
+  const auto merged = verification::study_status(all, files.store, {}, std::time(nullptr));
+  const std::size_t in_shards = merged.unfinished.entries.size();
+  if (in_shards == 0) {
+    fmt::print("nothing to run, and all rows are in {}\n", files.store);
+    return;
+  }
+  fmt::print("nothing to run; rows of {} cases are in shards only\n", in_shards);
+  const SlurmJob merge = verification::merge_job(files, submission, this_program(), options, "");
+  if (dry_run) return print(merge);
+  make_folder(files.submission_folder(submission));
+  submit_merge(merge, files.store);
 }
 
 }  // namespace
@@ -86,7 +106,7 @@ int sweep_by_slurm(const std::string& study_path, const std::string& store,
   const std::string program = this_program();
   const int submission = files.next_submission();
   if (missing.entries.empty()) {
-    fmt::print("nothing to run; porowave merge brings shards together that are not yet\n");
+    submit_what_is_left(files, submission, all, options, dry_run);
     return 0;
   }
   const SlurmJob sweep = verification::sweep_job(files, submission, tasks, program,

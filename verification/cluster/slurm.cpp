@@ -129,9 +129,10 @@ SlurmJob merge_job(const ClusterFiles& files, int submission, const std::string&
                    const SlurmOptions& options, const std::string& after) {
   const std::string folder = files.submission_folder(submission);
   SlurmJob job{folder + "/merge.sh", merge_script, sbatch(files.job_name, options)};
-  append(job.command, {"--dependency=afterany:" + after, "--requeue", "--open-mode=append",
-                       "--output=" + without_patterns(folder) + "/merge.out", job.script_path,
-                       program, files.store, files.shard_folder});
+  if (!after.empty()) append(job.command, {"--dependency=afterany:" + after});
+  append(job.command,
+         {"--requeue", "--open-mode=append", "--output=" + without_patterns(folder) + "/merge.out",
+          job.script_path, program, files.store, files.shard_folder});
   return job;
 }
 

@@ -51,7 +51,8 @@ struct SlurmJob {
 /// `cases` of its folder.
 SlurmJob sweep_job(const ClusterFiles& files, int submission, int tasks, const std::string& program,
                    const std::string& study, const SlurmOptions& options);
-/// `program merge` of all shards into the store, when the job `after` has ended however it did.
+/// `program merge` of all shards into the store, when the job `after` has ended however it did; at
+/// once if that is empty.
 SlurmJob merge_job(const ClusterFiles& files, int submission, const std::string& program,
                    const SlurmOptions& options, const std::string& after);
 

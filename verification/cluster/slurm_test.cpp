@@ -57,6 +57,9 @@ BOOST_AUTO_TEST_CASE(what_a_user_typed_is_an_argument_and_no_part_of_a_script) {
   }
   const SlurmJob merge = merge_job(files, 3, "/bin/p w", {}, "42");
   BOOST_TEST(has(merge, "--dependency=afterany:42"));
+  for (const std::string& word : merge_job(files, 3, "/bin/p w", {}, "").command) {
+    BOOST_TEST(!word.starts_with("--dependency"), word);
+  }
   for (const SlurmJob& job : {sweep, merge}) {
     BOOST_TEST(job.script.find("data") == std::string::npos);
     BOOST_TEST(job.script.find("p w") == std::string::npos);
