@@ -30,7 +30,6 @@ namespace porowave::solver {
 
 namespace {
 
-constexpr std::size_t longest = FrozenColumn::longest_chunk;
 // What is filled in beside the borders should be the smaller share.
 constexpr std::size_t parts_of_thread_per_step = 4;
 
@@ -41,7 +40,7 @@ std::size_t parts_in(std::size_t nodes) {
 }  // namespace
 
 struct FrozenColumn::Chunk {
-  using StepSquares = std::array<double, longest>;  // the largest of any part
+  using StepSquares = std::array<double, longest_chunk>;  // the largest of any part
   struct Segment {
     IndexRange parts;
     bool first, last;  // of the column
@@ -58,9 +57,9 @@ struct FrozenColumn::Chunk {
   FrozenColumn& column;
   const NodeUpdate& by;
   std::span<const StepLoad> loads;
-  std::array<Turn, longest> turns{};
-  std::array<SignalWindow, longest + 1> windows;  // all nodes, while not known
-  std::array<PartEnds, longest> starts{};         // of the first part
+  std::array<Turn, longest_chunk> turns{};
+  std::array<SignalWindow, longest_chunk + 1> windows;  // all nodes, while not known
+  std::array<PartEnds, longest_chunk> starts{};         // of the first part
 };
 
 FrozenColumn::Chunk::Chunk(FrozenColumn& frozen, const NodeUpdate& update,
@@ -164,13 +163,13 @@ void FrozenColumn::advance(const NodeUpdate& by, std::span<const StepLoad> loads
 
 std::size_t FrozenColumn::most_steps() const {
   const std::size_t reach = std::max(to_nodes_->reach(), to_cells_->reach());
-  return reach + lanes < part_nodes ? longest : 1;
+  return reach + lanes < part_nodes ? longest_chunk : 1;
 }
 
 std::size_t FrozenColumn::steps_before(double limit) const {
   const double steps = 0.5 * (limit - motion_.bound) / motion_.rise;
-  return steps < static_cast<double>(longest) ? static_cast<std::size_t>(std::max(steps, 0.0))
-                                              : longest;
+  return steps < static_cast<double>(longest_chunk) ? static_cast<std::size_t>(std::max(steps, 0.0))
+                                                    : longest_chunk;
 }
 
 // Ahead of the signal all states are zero; those that were written may have been wider.

@@ -201,6 +201,22 @@ BOOST_AUTO_TEST_CASE(points_are_asked_for_after_the_same_step) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_jump_that_moves_points_too_far_is_met_at_its_step) {
+  // Not to be foreseen from the steps before it; the signal is on its way.
+  for (long jump = 80; jump < 130; jump += 3) {
+    Case scene = regular_scene(300, 200);
+    const double t = (static_cast<double>(jump) + 0.3) * ColumnSolver(scene).time_step();
+    scene.problem.load = Load(1.0, {0.0, t, t}, {1e3, 1e3, 1e8});
+    ColumnSolver single(scene);
+    ColumnSolver several(scene);
+    while (single.steps_done() < jump + 20) single.step();
+    several.advance(jump + 20);
+    BOOST_TEST(single.frozen_steps() > jump);
+    BOOST_TEST(single.frozen_steps() < jump + 16);
+    check_same(single, several);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_run_ends_where_single_steps_would) {
   Case scene = regular_scene(300, 200, 1e7);
   ColumnSolver single(scene);

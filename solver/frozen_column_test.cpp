@@ -198,9 +198,16 @@ BOOST_AUTO_TEST_CASE(steps_that_are_undone_leave_no_trace) {
   const auto& operators = pair.solid.prepared.operators;
   FrozenColumn frozen(operators, operators, update, pair.constants);
   const std::vector<StepLoad> loads(frozen.most_steps(), StepLoad{1.0, 1.0, 1.0});
-  SignalWindow window = SignalWindow::at_rest(nodes, operators->reach(), 1e-30);
-  frozen.advance(by, loads, window, 1);
+  SignalWindow window = SignalWindow::at_rest(nodes, operators->reach(), 0.0);
+  // Until what is undone comes to nodes of the next part.
+  for (int step = 0; step < 200 && window.nodes + SignalWindow::growth < 256; ++step) {
+    frozen.advance(by, std::span(loads).first(1), window, 1);
+  }
   const FrozenColumn copy(frozen);
+  SignalWindow later = window;
+  FrozenColumn(copy).advance(by, loads, later, 1);
+  BOOST_TEST(window.nodes <= 256u);
+  BOOST_TEST(later.nodes > 256u);
   for (std::size_t steps = 1; steps <= loads.size(); ++steps) {
     FrozenColumn straight(copy);
     FrozenColumn back(copy);
