@@ -127,11 +127,8 @@ Breakdown ColumnSolver::moved_too_far() const {
 
 std::optional<Breakdown> ColumnSolver::run() {
   while (step_ < steps_) {
-    step();
-    if (scene_.time.path == StepPath::frozen && !frozen_) {
-      return moved_too_far();
-    }
-    if (step_ % steps_between_checks != 0 && step_ < steps_) continue;
+    advance(std::min(steps_, (step_ / steps_between_checks + 1) * steps_between_checks));
+    if (held_up()) return moved_too_far();
     if (auto found = find_breakdown()) return found;
   }
   return std::nullopt;

@@ -26,7 +26,6 @@ constexpr std::size_t nodes_of_part = BandedRows::block_rows;
 constexpr std::size_t items_worth_threads = 200'000;
 // Velocities ahead of the signal that are left out, as a share of the load's.
 constexpr double negligible = 1e-30;
-constexpr std::size_t window_growth = 16;
 
 Grid<1> make_grid(double length, int elements) {
   return {Vector<1>(0.0), length / elements, CellIndex<1>(elements)};
@@ -84,7 +83,8 @@ ColumnSolver::ColumnSolver(const Case& scene)
                    scene.problem.material.solid_partial_density())),
       fluid_(start(scene.discretization, grid_.spacing, Phase::fluid,
                    scene.problem.material.fluid_partial_density())),
-      node_count_(static_cast<std::size_t>(grid_.node_count())) {
+      node_count_(static_cast<std::size_t>(grid_.node_count())),
+      window_(SignalWindow::whole_column(node_count_)) {
   dt_ = scene.time.end / static_cast<double>(steps_);
   make_weights();
   const bool needs_both = scene.problem.column.near != NearEnd::velocity;
@@ -95,7 +95,10 @@ ColumnSolver::ColumnSolver(const Case& scene)
   }
   const bool parts = solid_.prepared.operators->works_on_parts();
   part_nodes_ = parts ? nodes_of_part : node_count_;
-  window_ = parts ? std::min(node_count_, window_growth + guard()) : node_count_;
+  if (parts) {
+    window_ =
+        SignalWindow::at_rest(node_count_, guard(), negligible * scene.problem.velocity_scale());
+  }
   lagged_ = guard() <= part_nodes_;
   if (scene.time.path != StepPath::points) freeze();
   choose_threads();
@@ -228,13 +231,18 @@ void ColumnSolver::thaw() {
   frozen_.reset();
 }
 
+StepLoad ColumnSolver::load_of_step(long step) const {
+  const double t = dt_ * static_cast<double>(step);
+  return load_between(t - 0.5 * dt_, t + 0.5 * dt_);
+}
+
 StepLoad ColumnSolver::load_between(double before, double after) const {
   const Load& load = scene_.problem.load;
   return {load.mean(before, after), load.value(before), load.value(after)};
 }
 
 IndexRange ColumnSolver::part(std::size_t k) const {
-  return {k * part_nodes_, std::min((k + 1) * part_nodes_, window_)};
+  return {k * part_nodes_, std::min((k + 1) * part_nodes_, window_.nodes)};
 }
 
 // The parts [parts.first, parts.last), to the nodes and back to the points. A part can go back when
@@ -257,7 +265,7 @@ void ColumnSolver::finish_parts(IndexRange parts, PartScratch& scratch) {
 }
 
 bool ColumnSolver::sweep(const StepLoad& load) {
-  const std::size_t parts = (window_ + part_nodes_ - 1) / part_nodes_;
+  const std::size_t parts = (window_.nodes + part_nodes_ - 1) / part_nodes_;
   bool moved = false;
 #ifdef _OPENMP
   if (threads_ > 1) {
@@ -276,27 +284,6 @@ bool ColumnSolver::sweep(const StepLoad& load) {
   moved = sweep_parts(load, {0, parts}, scratch_[0]);
   finish_parts({0, parts}, scratch_[0]);
   return moved;
-}
-
-bool ColumnSolver::sweep_frozen(const StepLoad& load) {
-  const std::size_t parts = (window_ + part_nodes_ - 1) / part_nodes_;
-  const auto step_part = [&](std::size_t k) {
-    frozen_->step(scene_.problem, load, update_, part(k), solid_.nodes, fluid_.nodes);
-  };
-  if (threads_ > 1) {
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(static_cast <int>(threads_))
-#endif
-    for (std::size_t k = 0; k < parts; ++k) step_part(k);
-  } else {  // a team of one thread would cost as much as 200 nodes
-    for (std::size_t k = 0; k < parts; ++k) step_part(k);
-  }
-  frozen_->end_step();
-  // The bound is cheap, the displacements themselves are not: only where it does not do.
-  const double limit = reweight_share * grid_.spacing;
-  if (frozen_->displacement_bound() <= limit) return false;
-  frozen_->displacements(solid_.displacement, fluid_.displacement);
-  return frozen_->displacement_bound() > limit;
 }
 
 bool ColumnSolver::sweep_to_nodes(const StepLoad& load, IndexRange nodes, PartScratch& scratch) {
@@ -341,33 +328,67 @@ void ColumnSolver::sweep_to_points(IndexRange nodes, PartScratch& scratch) {
 }
 
 void ColumnSolver::step() {
-  const double t = time();
-  const StepLoad load = load_between(t - 0.5 * dt_, t + 0.5 * dt_);
-  const bool moved = frozen_ ? sweep_frozen(load) : sweep(load);
-  ++step_;
-  end_step(moved);
-}
-
-void ColumnSolver::end_step(bool moved) {
-  if (frozen_) ++frozen_steps_;
-  widen_window();
-  if (!moved) return;
-  thaw();
-  move_points();
-  make_weights();
-}
-
-void ColumnSolver::widen_window() {
-  if (window_ == node_count_) return;
-  const double limit = negligible * scene_.problem.velocity_scale();
-  const auto values = frozen_ ? frozen_->node_values()
-                              : std::array{std::span<const double>(solid_.nodes.new_velocity),
-                                           std::span<const double>(fluid_.nodes.new_velocity)};
-  for (std::size_t i = window_ - std::min(window_, guard()); i < window_; ++i) {
-    if (std::abs(values[0][i]) <= limit && std::abs(values[1][i]) <= limit) continue;
-    window_ = std::min(node_count_, window_ + window_growth + guard());
+  if (frozen_) {
+    step_frozen(1);
     return;
   }
+  const bool moved = sweep(load_of_step(step_));
+  ++step_;
+  window_.widen(solid_.nodes.new_velocity, fluid_.nodes.new_velocity);
+  if (moved) renew_weights();
+}
+
+void ColumnSolver::advance(long last) {
+  while (step_ < last && !held_up()) {
+    if (frozen_) {
+      step_frozen(std::min(last - step_, safe_steps()));
+    } else {
+      step();
+    }
+  }
+}
+
+bool ColumnSolver::held_up() const {
+  return scene_.time.path == StepPath::frozen && !frozen_;
+}
+
+long ColumnSolver::safe_steps() const {
+  if (step_ < single_until_ || !lagged_) return 1;
+  const std::size_t steps =
+      std::min(frozen_->most_steps(), frozen_->steps_before(reweight_share * grid_.spacing));
+  return std::max(static_cast<long>(steps), 1L);
+}
+
+// Points must be asked for after the very step in which they may have moved too far. Should that be
+// one of several steps, which seldom happens, they are made again one by one.
+void ColumnSolver::step_frozen(long steps) {
+  std::array<StepLoad, FrozenColumn::longest_chunk> loads{};
+  const auto count = static_cast<std::size_t>(steps);
+  for (std::size_t k = 0; k < count; ++k) loads[k] = load_of_step(step_ + static_cast<long>(k));
+  const SignalWindow window_before = window_;
+  frozen_->advance({scene_.problem, update_, solid_.nodes, fluid_.nodes}, {loads.data(), count},
+                   window_, threads_);
+  const double limit = reweight_share * grid_.spacing;
+  const bool surely_near = frozen_->displacement_bound() <= limit;
+  if (!surely_near && steps > 1) {
+    frozen_->undo();
+    window_ = window_before;
+    single_until_ = step_ + steps;
+    return;
+  }
+  step_ += steps;
+  frozen_steps_ += steps;
+  if (surely_near) return;
+  // The bound is cheap, the displacements themselves are not: only where it does not do.
+  frozen_->displacements(solid_.displacement, fluid_.displacement);
+  if (!(frozen_->displacement_bound() > limit)) return;
+  thaw();
+  renew_weights();
+}
+
+void ColumnSolver::renew_weights() {
+  move_points();
+  make_weights();
 }
 
 }  // namespace porowave::solver

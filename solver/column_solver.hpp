@@ -38,6 +38,7 @@
 #include "solver/nodal_update.hpp"
 #include "solver/placement.hpp"
 #include "solver/prepared_update.hpp"
+#include "solver/signal_window.hpp"
 
 namespace porowave::solver {
 
@@ -101,7 +102,7 @@ class ColumnSolver {
   void use_threads(std::size_t most);
   std::size_t threads() const { return threads_; }
   // Steps all nodes from now on, also those that no signal can have reached.
-  void disregard_causality() { window_ = node_count_; }
+  void disregard_causality() { window_ = SignalWindow::whole_column(node_count_); }
 
   // What manufactured solutions need, before the first step (std::invalid_argument after it). The
   // run is then not driven by its load alone: it visits its points (std::invalid_argument if the
@@ -115,6 +116,10 @@ class ColumnSolver {
   void start_from(const std::function<Fields(double x, double t)>& fields);
 
   void step();
+  // Steps until `last` steps are done; with path = "frozen" no farther than points may move. The
+  // same bits as step by step, but frozen steps are made several at a time, which is faster in
+  // columns that do not fit into the cache.
+  void advance(long last);
   // Runs to the planned end. Stops early, and says why, when a field is not finite or more than
   // 10^6 times as large as the load, and when path = "frozen" is asked for and points have moved by
   // more than reweight_share of h.
@@ -148,16 +153,18 @@ class ColumnSolver {
   void move_points();    // from the nodal displacement since the weights were made
   void freeze();
   void thaw();  // brings the points up to date
+  StepLoad load_of_step(long step) const;
   StepLoad load_between(double before, double after) const;
   IndexRange part(std::size_t k) const;
   bool sweep(const StepLoad& load);  // whether points have moved too far
-  bool sweep_frozen(const StepLoad& load);
   bool sweep_parts(const StepLoad& load, IndexRange parts, PartScratch& scratch);
   void finish_parts(IndexRange parts, PartScratch& scratch);
   bool sweep_to_nodes(const StepLoad& load, IndexRange nodes, PartScratch& scratch);
   void sweep_to_points(IndexRange nodes, PartScratch& scratch);
-  void end_step(bool moved);
-  void widen_window();
+  void step_frozen(long steps);
+  long safe_steps() const;  // at a time, in which points will not move too far as it seems
+  bool held_up() const;     // the points have, and path = "frozen"
+  void renew_weights();
   void drive_otherwise();  // than by the load alone
   void add_body_force(IndexRange nodes, double* effective, double* pressure) const;
   void synchronise_velocities();  // half a step, after which the object cannot step on
@@ -175,8 +182,9 @@ class ColumnSolver {
   PhaseState fluid_;
   PreparedUpdate update_;
   std::optional<FrozenColumn> frozen_;  // then the points are as they were at its start
+  long single_until_ = 0;               // no several steps at a time before this one
   std::size_t node_count_;
-  std::size_t window_;      // nodes that are stepped: the first ones
+  SignalWindow window_;
   std::size_t part_nodes_;  // nodes of one part of the column
   bool lagged_;             // whether a part reaches no farther than the next one
   std::size_t threads_;

@@ -165,21 +165,25 @@ FrozenColumn::FrozenColumn(const std::shared_ptr<const ColumnOperators>& solid,
                             node_count_);
   }
   const std::size_t parts = (node_count_ + part_nodes - 1) / part_nodes;
+  states_.fill(at_rest());
+  ends_.resize(parts + 1);  // beyond the last part nothing moves
+}
+
+FrozenColumn::State FrozenColumn::at_rest() const {
   const PaddedValues nodal(node_count_, to_nodes_->reach() + 8);
   const PaddedValues cellwise(node_count_, to_cells_->reach() + 8);
-  nodes_ = new_nodes_ = {nodal, nodal};
-  cells_ = new_cells_ = {cellwise, cellwise};
-  ends_.resize(parts + 1);  // beyond the last part nothing moves
+  return {nodal, nodal, cellwise, cellwise};
 }
 
 bool FrozenColumn::possible(const ColumnOperators& points) {
   return dynamic_cast<const CompactOperators*>(&points) != nullptr;
 }
 
-void FrozenColumn::update_specials(const Problem& problem, const StepLoad& load,
-                                   const PreparedUpdate& update, IndexRange nodes, Scratch& at,
-                                   PhaseNodes& solid, PhaseNodes& fluid) const {
-  for (const std::size_t i : update.special(nodes)) {
+void FrozenColumn::update_specials(const StepLoad& load, const NodeUpdate& by, IndexRange nodes,
+                                   Scratch& at) const {
+  PhaseNodes& solid = by.solid;
+  PhaseNodes& fluid = by.fluid;
+  for (const std::size_t i : by.update.special(nodes)) {
     const std::size_t k = i - nodes.first;
     const double* effective = at.effective_stress.data() + k;
     const double* pressure = at.pore_pressure.data() + k;
@@ -188,7 +192,7 @@ void FrozenColumn::update_specials(const Problem& problem, const StepLoad& load,
     fluid.force[i] = -constants_.porosity * pressure_force;
     solid.velocity[i] = at.solid_velocity.data()[k];
     fluid.velocity[i] = at.fluid_velocity.data()[k];
-    update_node(problem, load, constants_.time_step, i, solid, fluid);
+    update_node(by.problem, load, constants_.time_step, i, solid, fluid);
     at.solid_velocity.data()[k] = solid.velocity[i];
     at.fluid_velocity.data()[k] = fluid.velocity[i];
     at.new_solid.data()[k] = solid.new_velocity[i];
@@ -196,51 +200,54 @@ void FrozenColumn::update_specials(const Problem& problem, const StepLoad& load,
   }
 }
 
-void FrozenColumn::gather(IndexRange eights, Scratch& at) const {
+void FrozenColumn::gather(const State& before, IndexRange eights, Scratch& at) const {
   const std::size_t k = eights.first * 8 - at.first;
-  to_nodes_->multiply(eights, nodes_.solid.data(), nodes_.fluid.data(),
+  to_nodes_->multiply(eights, before.solid_q.data(), before.fluid_q.data(),
                       at.solid_velocity.data() + k, at.fluid_velocity.data() + k);
-  to_cells_->multiply(eights, cells_.solid.data(), cells_.fluid.data(),
+  to_cells_->multiply(eights, before.solid_e.data(), before.fluid_e.data(),
                       at.effective_stress.data() + k, at.pore_pressure.data() + k);
   // The cell before the first node belongs to others; there is none before the column.
   if (eights.first == 0) {
     at.effective_stress.data()[-1] = at.pore_pressure.data()[-1] = 0.0;
     return;
   }
-  to_cells_->multiply({eights.first - 1, eights.first}, cells_.solid.data(), cells_.fluid.data(),
-                      at.effective_stress.data() + k - 8, at.pore_pressure.data() + k - 8);
+  to_cells_->multiply({eights.first - 1, eights.first}, before.solid_e.data(),
+                      before.fluid_e.data(), at.effective_stress.data() + k - 8,
+                      at.pore_pressure.data() + k - 8);
 }
 
-FrozenColumn::Squares FrozenColumn::update_values(IndexRange eights, Scratch& at) {
+FrozenColumn::Squares FrozenColumn::update_values(const State& before, IndexRange eights,
+                                                  Scratch& at, State& after) const {
   const std::size_t first = eights.first * 8;
   const Arrays arrays = arrays_of(at, first);
   const double factor = constants_.pore_pressure / spacing_;
-  const double* e[2] = {cells_.solid.data() + first, cells_.fluid.data() + first};
-  double* e_new[2] = {new_cells_.solid.data() + first, new_cells_.fluid.data() + first};
+  const double* e[2] = {before.solid_e.data() + first, before.fluid_e.data() + first};
+  double* e_new[2] = {after.solid_e.data() + first, after.fluid_e.data() + first};
   update_cell_values(factor * constants_.solid_fraction, factor * constants_.porosity, arrays, e,
                      eights.size(), constants_.effective_stress / spacing_, e_new);
   return {update_node_values(constants_.flip, arrays.solid_velocity, arrays.new_solid,
-                             nodes_.solid.data() + first, eights.size(),
-                             new_nodes_.solid.data() + first),
+                             before.solid_q.data() + first, eights.size(),
+                             after.solid_q.data() + first),
           update_node_values(constants_.flip, arrays.fluid_velocity, arrays.new_fluid,
-                             nodes_.fluid.data() + first, eights.size(),
-                             new_nodes_.fluid.data() + first)};
+                             before.fluid_q.data() + first, eights.size(),
+                             after.fluid_q.data() + first)};
 }
 
-FrozenColumn::Squares FrozenColumn::step_regular_nodes(IndexRange eights, Scratch& at) {
+FrozenColumn::Squares FrozenColumn::step_regular_nodes(const State& before, IndexRange eights,
+                                                       Scratch& at, State& after) const {
   const std::size_t i = eights.first * 8;
   const double factor = constants_.pore_pressure / spacing_;
   double* solid = at.new_solid.data() + (i - at.first);
   double* fluid = at.new_fluid.data() + (i - at.first);
   const std::size_t count = 8 * eights.size();
-  const RegularResult result = step_regular(
-      regular_.stencil(),
-      {constants_.flip, constants_.effective_stress / spacing_, factor * constants_.solid_fraction,
-       factor * constants_.porosity},
-      {nodes_.solid.data() + i, nodes_.fluid.data() + i, cells_.solid.data() + i,
-       cells_.fluid.data() + i, new_nodes_.solid.data() + i, new_nodes_.fluid.data() + i,
-       new_cells_.solid.data() + i, new_cells_.fluid.data() + i},
-      eights.size(), solid[count], fluid[count]);
+  const RegularResult result =
+      step_regular(regular_.stencil(),
+                   {constants_.flip, constants_.effective_stress / spacing_,
+                    factor * constants_.solid_fraction, factor * constants_.porosity},
+                   {before.solid_q.data() + i, before.fluid_q.data() + i, before.solid_e.data() + i,
+                    before.fluid_e.data() + i, after.solid_q.data() + i, after.fluid_q.data() + i,
+                    after.solid_e.data() + i, after.fluid_e.data() + i},
+                   eights.size(), solid[count], fluid[count]);
   solid[0] = result.solid.first;
   fluid[0] = result.fluid.first;
   solid[count - 1] = result.solid.last;
@@ -248,8 +255,10 @@ FrozenColumn::Squares FrozenColumn::step_regular_nodes(IndexRange eights, Scratc
   return {result.solid.squares, result.fluid.squares};
 }
 
-void FrozenColumn::step(const Problem& problem, const StepLoad& load, const PreparedUpdate& update,
-                        IndexRange nodes, PhaseNodes& solid, PhaseNodes& fluid) {
+double FrozenColumn::step_part(Turn turn, const StepLoad& load, const NodeUpdate& by,
+                               IndexRange nodes) {
+  const State& before = states_[turn.before];
+  State& after = states_[turn.after];
   Scratch at;  // large, and all that is read of it is written below
   at.first = nodes.first;
   const std::size_t eights = (nodes.size() + 7) / 8;
@@ -262,82 +271,80 @@ void FrozenColumn::step(const Problem& problem, const StepLoad& load, const Prep
           : std::array{part, IndexRange{part.last, part.last}};
   for (const IndexRange& other : others) {
     if (other.size() == 0) continue;
-    gather(other, at);
-    move_nodes(&update.coefficients(other.first), constants_.solid_fraction, constants_.porosity,
+    gather(before, other, at);
+    move_nodes(&by.update.coefficients(other.first), constants_.solid_fraction, constants_.porosity,
                arrays_of(at, 8 * other.first), other.size());
   }
-  update_specials(problem, load, update, nodes, at, solid, fluid);
+  update_specials(load, by, nodes, at);
   std::fill_n(at.new_solid.data() + 8 * eights, 8, 0.0);
   std::fill_n(at.new_fluid.data() + 8 * eights, 8, 0.0);
 
   Squares squares;
-  if (regular.size() > 0) squares = step_regular_nodes(regular, at);
+  if (regular.size() > 0) squares = step_regular_nodes(before, regular, at, after);
   for (const IndexRange& other : others) {
     if (other.size() == 0) continue;
-    const Squares there = update_values(other, at);
+    const Squares there = update_values(before, other, at, after);
     squares.solid += there.solid;
     squares.fluid += there.fluid;
   }
   PartEnds& ends = ends_[nodes.first / part_nodes];
-  ends = {at.new_solid.data()[0], at.new_fluid.data()[0], 0.0, 0.0,
-          std::max(squares.solid, squares.fluid)};
-  if (8 * eights < part_nodes) return;  // the part reaches beyond the signal or the column
-  ends.solid_last = at.new_solid.data()[part_nodes - 1];
-  ends.fluid_last = at.new_fluid.data()[part_nodes - 1];
+  ends = {at.new_solid.data()[0], at.new_fluid.data()[0], 0.0, 0.0};
+  if (8 * eights == part_nodes) {  // otherwise it reaches beyond the signal or the column
+    ends.solid_last = at.new_solid.data()[part_nodes - 1];
+    ends.fluid_last = at.new_fluid.data()[part_nodes - 1];
+  }
+  return std::max(squares.solid, squares.fluid);
 }
 
-void FrozenColumn::end_step() {
+void FrozenColumn::step_cell_behind(Turn turn, std::size_t part) {
+  const std::size_t c = (part + 1) * part_nodes - 1;
+  if (c + 1 >= node_count_) return;
+  const State& before = states_[turn.before];
+  State& after = states_[turn.after];
   const double factor = constants_.pore_pressure / spacing_;
-  double squares = 0.0;
-  for (std::size_t k = 0; k + 1 < ends_.size(); ++k) {
-    squares = std::max(squares, ends_[k].squares);
-    const std::size_t c = (k + 1) * part_nodes - 1;  // between this part and the next one
-    if (c + 1 >= node_count_) break;
-    const double solid_rise = ends_[k + 1].solid_first - ends_[k].solid_last;
-    const double fluid_rise = ends_[k + 1].fluid_first - ends_[k].fluid_last;
-    new_cells_.solid.data()[c] =
-        cells_.solid.data()[c] + constants_.effective_stress / spacing_ * solid_rise;
-    new_cells_.fluid.data()[c] =
-        cells_.fluid.data()[c] +
-        factor * (constants_.solid_fraction * solid_rise + constants_.porosity * fluid_rise);
-  }
-  std::swap(nodes_, new_nodes_);
-  std::swap(cells_, new_cells_);
-  solid_first_displacement_ += constants_.time_step * ends_[0].solid_first;
-  fluid_first_displacement_ += constants_.time_step * ends_[0].fluid_first;
-  displacement_bound_ += constants_.time_step * std::sqrt(squares);
+  const double solid_rise = ends_[part + 1].solid_first - ends_[part].solid_last;
+  const double fluid_rise = ends_[part + 1].fluid_first - ends_[part].fluid_last;
+  after.solid_e.data()[c] =
+      before.solid_e.data()[c] + constants_.effective_stress / spacing_ * solid_rise;
+  after.fluid_e.data()[c] =
+      before.fluid_e.data()[c] +
+      factor * (constants_.solid_fraction * solid_rise + constants_.porosity * fluid_rise);
 }
 
 void FrozenColumn::displacements(std::span<double> solid, std::span<double> fluid) {
   const double ns = constants_.solid_fraction;
   const double nf = constants_.porosity;
-  solid[0] = solid_first_displacement_;
-  fluid[0] = fluid_first_displacement_;
+  const State& now = states_[now_];
+  solid[0] = motion_.solid_first;
+  fluid[0] = motion_.fluid_first;
   double largest = std::max(std::abs(solid[0]), std::abs(fluid[0]));
   for (std::size_t c = 0; c + 1 < node_count_; ++c) {
     const double solid_rise =
-        cells_.solid.data()[c] * constants_.time_step * spacing_ / constants_.effective_stress;
+        now.solid_e.data()[c] * constants_.time_step * spacing_ / constants_.effective_stress;
     const double mixture_rise =
-        cells_.fluid.data()[c] * constants_.time_step * spacing_ / constants_.pore_pressure;
+        now.fluid_e.data()[c] * constants_.time_step * spacing_ / constants_.pore_pressure;
     solid[c + 1] = solid[c] + solid_rise;
     fluid[c + 1] = fluid[c] + (mixture_rise - ns * solid_rise) / nf;
     largest = std::max({largest, std::abs(solid[c + 1]), std::abs(fluid[c + 1])});
   }
-  displacement_bound_ = largest;
+  motion_.bound = largest;
 }
 
 void FrozenColumn::settle(PointValues& solid, PointValues& fluid) const {
-  settle_phase(*solid_points_, nodes_.solid.data(), cells_.solid.data(), solid);
-  settle_phase(*fluid_points_, nodes_.fluid.data(), cells_.fluid.data(), fluid);
+  const State& now = states_[now_];
+  settle_phase(*solid_points_, now.solid_q.data(), now.solid_e.data(), solid);
+  settle_phase(*fluid_points_, now.fluid_q.data(), now.fluid_e.data(), fluid);
 }
 
 std::array<std::span<const double>, 2> FrozenColumn::node_values() const {
-  return {std::span(nodes_.solid.data(), node_count_), std::span(nodes_.fluid.data(), node_count_)};
+  const State& now = states_[now_];
+  return {std::span(now.solid_q.data(), node_count_), std::span(now.fluid_q.data(), node_count_)};
 }
 
 std::array<std::span<const double>, 2> FrozenColumn::cell_values() const {
-  return {std::span(cells_.solid.data(), node_count_ - 1),
-          std::span(cells_.fluid.data(), node_count_ - 1)};
+  const State& now = states_[now_];
+  return {std::span(now.solid_e.data(), node_count_ - 1),
+          std::span(now.fluid_e.data(), node_count_ - 1)};
 }
 
 }  // namespace porowave::solver

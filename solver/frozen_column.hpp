@@ -16,8 +16,10 @@
 //
 // Amid regular points all rows of W and B are the same: regular_nodes.hpp.
 //
-// A step reads the values before it and writes those after it elsewhere, part by part of 256 nodes,
-// in any order or side by side: no bit depends on that.
+// A step reads the values before it and writes those after it elsewhere, part by part of 256 nodes.
+// A part needs its neighbours' last step and no more, so several steps go through the parts as one
+// wave, which stays in the cache: frozen_chunk.cpp. No bit depends on how many they are, nor on the
+// number of threads.
 
 #include <array>
 #include <memory>
@@ -28,6 +30,7 @@
 #include "solver/compact_operators.hpp"
 #include "solver/prepared_update.hpp"
 #include "solver/regular_nodes.hpp"
+#include "solver/signal_window.hpp"
 
 namespace porowave::solver {
 
@@ -55,14 +58,27 @@ class FrozenColumn {
   // Whether a phase with these operators can be frozen.
   static bool possible(const ColumnOperators& points);
 
-  // A step of the nodes [nodes.first, nodes.last), nodes.first a multiple of part_nodes, not more
-  // than that many. `solid` and `fluid` are used where `update` must ask update_node.
-  void step(const Problem& problem, const StepLoad& load, const PreparedUpdate& update,
-            IndexRange nodes, PhaseNodes& solid, PhaseNodes& fluid);
-  // After all parts of a step.
-  void end_step();
-  // An upper bound of the displacement of any node since the start, m.
-  double displacement_bound() const { return displacement_bound_; }
+  // What moves the nodes: `solid` and `fluid` are used where `update` must ask update_node.
+  struct NodeUpdate {
+    const Problem& problem;
+    const PreparedUpdate& update;
+    PhaseNodes& solid;
+    PhaseNodes& fluid;
+  };
+  // A step for each of the loads, not more than most_steps(). After each step `window` is widened
+  // if need be. Threads are used if there are enough parts for them.
+  void advance(const NodeUpdate& by, std::span<const StepLoad> loads, SignalWindow& window,
+               std::size_t threads);
+  static constexpr std::size_t longest_chunk = 16;
+  // How many steps can be made at once: longest_chunk, or one if parts reach beyond the next ones.
+  std::size_t most_steps() const;
+  // As it was before the last call of advance, once. `window` is the caller's to set back.
+  void undo();
+
+  // An upper bound of the displacement of any node since the start, m. It never falls in a step.
+  double displacement_bound() const { return motion_.bound; }
+  // How many steps, as the last one was, may come before the bound is at half its way to `limit`.
+  std::size_t steps_before(double limit) const;
   // The displacements themselves, which make the bound sharp.
   void displacements(std::span<double> solid, std::span<double> fluid);
 
@@ -74,26 +90,43 @@ class FrozenColumn {
   std::array<std::span<const double>, 2> cell_values() const;
 
  private:
-  // q or e of both phases.
-  struct Fields {
-    PaddedValues solid;
-    PaddedValues fluid;
+  // q and e of both phases at one time.
+  struct State {
+    PaddedValues solid_q, fluid_q;  // m/s
+    PaddedValues solid_e, fluid_e;  // Pa
+  };
+  // Which state a step reads, and which one it writes.
+  struct Turn {
+    std::size_t before;
+    std::size_t after;
   };
   // New velocities at the ends of a part, for the cells between parts.
   struct PartEnds {
     double solid_first = 0.0, fluid_first = 0.0, solid_last = 0.0, fluid_last = 0.0;
-    double squares = 0.0;  // sum of all squares
   };
+  // Displacements, m: of node 0, and a bound of all; the bound's rise in the last step.
+  struct Motion {
+    double solid_first = 0.0, fluid_first = 0.0;
+    double bound = 0.0, rise = 0.0;
+  };
+  struct Chunk;  // frozen_chunk.cpp
+
+  State at_rest() const;
+  // A step of some nodes of one part, from its first one on; gives Σ v'² of the faster phase.
+  double step_part(Turn turn, const StepLoad& load, const NodeUpdate& by, IndexRange nodes);
+  // The cell between this part and the next one, if there is one, once both have made the step.
+  void step_cell_behind(Turn turn, std::size_t part);
 
   // Of some eights of nodes: velocities and forces; new q and e from the new velocities; a step.
   struct Squares {
     double solid = 0.0, fluid = 0.0;  // Σ v'²
   };
-  void gather(IndexRange eights, Scratch& at) const;
-  Squares update_values(IndexRange eights, Scratch& at);
-  Squares step_regular_nodes(IndexRange eights, Scratch& at);
-  void update_specials(const Problem& problem, const StepLoad& load, const PreparedUpdate& update,
-                       IndexRange nodes, Scratch& at, PhaseNodes& solid, PhaseNodes& fluid) const;
+  void gather(const State& before, IndexRange eights, Scratch& at) const;
+  Squares update_values(const State& before, IndexRange eights, Scratch& at, State& after) const;
+  Squares step_regular_nodes(const State& before, IndexRange eights, Scratch& at,
+                             State& after) const;
+  void update_specials(const StepLoad& load, const NodeUpdate& by, IndexRange nodes,
+                       Scratch& at) const;
 
   std::shared_ptr<const CompactOperators> solid_points_;
   std::shared_ptr<const CompactOperators> fluid_points_;
@@ -103,14 +136,12 @@ class FrozenColumn {
   Constants constants_;
   double spacing_;
   std::size_t node_count_;
-  Fields nodes_;  // q, m/s
-  Fields cells_;  // e, Pa
-  Fields new_nodes_;
-  Fields new_cells_;
-  std::vector<PartEnds> ends_;
-  double solid_first_displacement_ = 0.0;  // of node 0, m
-  double fluid_first_displacement_ = 0.0;
-  double displacement_bound_ = 0.0;
+  std::array<State, 3> states_;  // now, and two that steps write in turns
+  std::size_t now_ = 0;
+  std::size_t undone_ = 0;  // the state before the last advance
+  Motion motion_;
+  Motion undone_motion_;
+  std::vector<PartEnds> ends_;  // of the step that a part made last
 };
 
 }  // namespace porowave::solver

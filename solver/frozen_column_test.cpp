@@ -110,14 +110,12 @@ void compare(const PointSet<1>& solid, const PointSet<1>& fluid, const Discretiz
                       pair.constants);
   PhaseNodes solid_nodes = start.solid.at_nodes;
   PhaseNodes fluid_nodes = start.fluid.at_nodes;
+  SignalWindow all = SignalWindow::whole_column(nodes);
   for (int step = 0; step < 40; ++step) {
     pair.step_points(step);
-    for (const std::size_t first : {512, 0, 256}) {  // in any order
-      frozen.step(pair.problem, pair.load(step), update, {first, std::min(first + 256, nodes)},
-                  solid_nodes, fluid_nodes);
-    }
     const double bound_before = frozen.displacement_bound();
-    frozen.end_step();
+    const StepLoad load = pair.load(step);
+    frozen.advance({pair.problem, update, solid_nodes, fluid_nodes}, {&load, 1}, all, 1);
     BOOST_TEST(frozen.displacement_bound() - bound_before >= 0.999 * dt * pair.largest_velocity());
   }
   PointValues solid_values = start.solid.values;
@@ -179,17 +177,88 @@ BOOST_AUTO_TEST_CASE(the_bound_holds_where_the_fluid_moves_more) {
   const PreparedUpdate update(pair.problem, pair.dt, pair.solid.at_nodes, pair.fluid.at_nodes);
   const auto& operators = pair.solid.prepared.operators;
   FrozenColumn frozen(operators, operators, update, pair.constants);
+  SignalWindow all = SignalWindow::whole_column(nodes);
   for (int step = 0; step < 30; ++step) {
-    for (const std::size_t first : {0, 256, 512}) {
-      frozen.step(pair.problem, pair.load(step), update, {first, std::min(first + 256, nodes)},
-                  pair.solid.at_nodes, pair.fluid.at_nodes);
-    }
-    frozen.end_step();
+    const StepLoad load = pair.load(step);
+    frozen.advance({pair.problem, update, pair.solid.at_nodes, pair.fluid.at_nodes}, {&load, 1},
+                   all, 1);
     const double bound = frozen.displacement_bound();
     std::vector<double> us(nodes), uf(nodes);
     frozen.displacements(us, uf);  // from here on the bound is the largest of them
     BOOST_TEST(bound >= 0.999 * frozen.displacement_bound());
     BOOST_TEST(std::abs(uf[0]) > 2.0 * std::abs(us[0]));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(steps_that_are_undone_leave_no_trace) {
+  const auto points = test::column_points(4);
+  Pair pair(points, points, test::mls<BSpline2>(1.5, 1), 1.0, 1e-6);
+  const PreparedUpdate update(pair.problem, pair.dt, pair.solid.at_nodes, pair.fluid.at_nodes);
+  const FrozenColumn::NodeUpdate by{pair.problem, update, pair.solid.at_nodes, pair.fluid.at_nodes};
+  const auto& operators = pair.solid.prepared.operators;
+  FrozenColumn frozen(operators, operators, update, pair.constants);
+  const std::vector<StepLoad> loads(frozen.most_steps(), StepLoad{1.0, 1.0, 1.0});
+  SignalWindow window = SignalWindow::at_rest(nodes, operators->reach(), 0.0);
+  // Until what is undone comes to nodes of the next part.
+  for (int step = 0; step < 200 && window.nodes + SignalWindow::growth < 256; ++step) {
+    frozen.advance(by, std::span(loads).first(1), window, 1);
+  }
+  const FrozenColumn copy(frozen);
+  SignalWindow later = window;
+  FrozenColumn(copy).advance(by, loads, later, 1);
+  BOOST_TEST(window.nodes <= 256u);
+  BOOST_TEST(later.nodes > 256u);
+  for (std::size_t steps = 1; steps <= loads.size(); ++steps) {
+    FrozenColumn straight(copy);
+    FrozenColumn back(copy);
+    SignalWindow in_vain = window;
+    back.advance(by, std::span(loads).first(steps), in_vain, 1);
+    back.undo();
+    BOOST_TEST(back.displacement_bound() == copy.displacement_bound());
+    for (FrozenColumn* column : {&straight, &back}) {
+      SignalWindow at = window;
+      column->advance(by, std::span(loads).first(5), at, 1);
+      column->advance(by, std::span(loads).first(4), at, 1);
+    }
+    for (const int phase : {0, 1}) {
+      const auto q = std::array{straight.node_values()[phase], back.node_values()[phase]};
+      const auto e = std::array{straight.cell_values()[phase], back.cell_values()[phase]};
+      BOOST_TEST(q[0] == q[1], boost::test_tools::per_element());
+      BOOST_TEST(e[0] == e[1], boost::test_tools::per_element());
+    }
+    BOOST_TEST(back.displacement_bound() == straight.displacement_bound());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(as_many_steps_as_stay_in_the_bound) {
+  const auto points = test::column_points(4);
+  Pair pair(points, points, test::mls<BSpline2>(1.5, 1), 1.0);
+  const PreparedUpdate update(pair.problem, pair.dt, pair.solid.at_nodes, pair.fluid.at_nodes);
+  const auto& operators = pair.solid.prepared.operators;
+  FrozenColumn frozen(operators, operators, update, pair.constants);
+  BOOST_TEST(frozen.most_steps() == FrozenColumn::longest_chunk);
+  BOOST_TEST(frozen.steps_before(1e-20) == frozen.most_steps());  // nothing has moved yet
+  SignalWindow all = SignalWindow::whole_column(nodes);
+  const StepLoad load = pair.load(0);
+  frozen.advance({pair.problem, update, pair.solid.at_nodes, pair.fluid.at_nodes}, {&load, 1}, all,
+                 1);
+  const double moved = frozen.displacement_bound();  // in one step
+  BOOST_TEST(moved > 0.0);
+  BOOST_TEST(frozen.steps_before(0.5 * moved) == 0u);
+  BOOST_TEST(frozen.steps_before(2.9 * moved) == 0u);
+  BOOST_TEST(frozen.steps_before(3.1 * moved) == 1u);
+  BOOST_TEST(frozen.steps_before(11.5 * moved) == 5u);
+  BOOST_TEST(frozen.steps_before(1e3 * moved) == frozen.most_steps());
+}
+
+BOOST_AUTO_TEST_CASE(parts_that_reach_far_are_stepped_once_at_a_time) {
+  const auto points = test::regular_points(1);
+  for (const bool far : {false, true}) {
+    Pair pair(points, points, test::mls<BSpline1>(far ? 260.0 : 100.0, 0), 1.0);
+    const PreparedUpdate update(pair.problem, pair.dt, pair.solid.at_nodes, pair.fluid.at_nodes);
+    const auto& operators = pair.solid.prepared.operators;
+    const FrozenColumn frozen(operators, operators, update, pair.constants);
+    BOOST_TEST(frozen.most_steps() == (far ? 1u : FrozenColumn::longest_chunk));
   }
 }
 
