@@ -213,6 +213,8 @@ BOOST_AUTO_TEST_CASE(a_load_that_overflows_ends_as_a_breakdown) {
       Case scene = shape_scene(Placement::uniform, 0.5, 100);
       scene.problem.load = Load(LoadShape::step, load);
       scene.time.path = path;
+      scene.discretization.transfer = TransferName::mls;
+      scene.discretization.placement = Placement::stratified;
       ColumnSolver solver(scene);
       const auto breakdown = solver.run();
       BOOST_REQUIRE(breakdown);
