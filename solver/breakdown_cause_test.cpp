@@ -208,15 +208,15 @@ BOOST_AUTO_TEST_CASE(a_load_of_twice_the_modulus_inverts_points_and_is_the_cause
 
 // Displacements overflow before a check sees a velocity: still a breakdown, and no exception.
 BOOST_AUTO_TEST_CASE(a_load_that_overflows_ends_as_a_breakdown) {
-  for (const double load : {1e160, 1e300, 1e307}) {
+  for (double load = 1e290; load < 1e304; load *= 10.0) {
     for (const StepPath path : {StepPath::automatic, StepPath::points}) {
-      Case scene = shape_scene(Placement::uniform, 0.5, 100);
-      scene.problem.load = Load(LoadShape::step, load);
-      scene.time.path = path;
+      Case scene = shape_scene(Placement::stratified, 0.5, 100);
+      scene.problem = fixtures::paper_problem(Load(LoadShape::smooth_ramp, load, 1e-5));
       scene.discretization.transfer = TransferName::mls;
-      scene.discretization.placement = Placement::stratified;
+      scene.time.path = path;
       ColumnSolver solver(scene);
-      const auto breakdown = solver.run();
+      std::optional<Breakdown> breakdown;
+      BOOST_REQUIRE_NO_THROW(breakdown = solver.run());
       BOOST_REQUIRE(breakdown);
       BOOST_TEST(breakdown->step <= 16);
       BOOST_TEST(solver.snapshot().solid.x.size() == 240u);
