@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "solver/breakdown_cause.hpp"
 #include "solver/column_solver.hpp"
 
 namespace porowave::solver {
@@ -24,17 +25,63 @@ std::vector<double> coordinates(const PointSet<1>& points) {
   return x;
 }
 
-std::optional<Breakdown> worst_of(const std::vector<double>& values, const PointSet<1>& points,
-                                  double limit, const char* quantity, long step, double time) {
+// A value beyond its limits.
+struct Excess {
+  Phase phase;
+  std::size_t point;
+  std::string words;  // quantity and value; where; what is wrong with it
+};
+
+// The worst of the points' values: the largest, or of those that are not finite the one in the
+// middle, as they spread to both sides.
+std::optional<Excess> worst_of(const std::vector<double>& values, const PointSet<1>& points,
+                               double limit, Phase phase, const char* quantity) {
+  std::vector<std::size_t> not_finite;
+  std::size_t worst = values.size();
   for (std::size_t p = 0; p < values.size(); ++p) {
     if (std::abs(values[p]) <= limit) continue;  // false for NaN
-    return Breakdown{step, fmt::format("step {}, t = {:.6g} s: {} = {:g} at x = {:.6g} m: {}", step,
-                                       time, quantity, values[p], points.x[p][0],
-                                       std::isfinite(values[p])
-                                           ? "more than 1e6 times the load; try a smaller courant"
-                                           : "not a finite number; try a smaller courant")};
+    if (!std::isfinite(values[p])) not_finite.push_back(p);
+    if (worst == values.size() || std::abs(values[p]) > std::abs(values[worst])) worst = p;
   }
-  return std::nullopt;
+  if (worst == values.size()) return std::nullopt;
+  std::string what = "more than 1e6 times the load";
+  if (!not_finite.empty()) {
+    worst = not_finite[not_finite.size() / 2];
+    what = fmt::format("not a finite number, as at {} points in all", not_finite.size());
+  }
+  return Excess{
+      phase, worst,
+      fmt::format("{} = {:g} at x = {:.6g} m, {} point {}: {}", quantity, values[worst],
+                  points.x[worst][0], phase == Phase::solid ? "solid" : "fluid", worst, what)};
+}
+
+// A solid under a pressure of its modulus has no length left, and its points overtake each other.
+std::optional<Excess> inverted_of(const std::vector<double>& stress, const PointSet<1>& points,
+                                  double modulus) {
+  const auto least = std::min_element(stress.begin(), stress.end());
+  if (least == stress.end() || *least > -modulus) return std::nullopt;
+  const auto p = static_cast<std::size_t>(least - stress.begin());
+  return Excess{Phase::solid, p,
+                fmt::format("effective_stress = {:g} at x = {:.6g} m, solid point {}: points are "
+                            "inverted, the strain is {:.3g}",
+                            *least, points.x[p][0], p, *least / modulus)};
+}
+
+// How far points are from where they started, at most, m. They do not overtake each other.
+double largest_distance(const PointSet<1>& points, const PlacedPoints& start) {
+  std::vector<double> x = start.x;
+  std::sort(x.begin(), x.end());
+  double largest = 0.0;
+  for (std::size_t p = 0; p < x.size(); ++p) {
+    largest = std::max(largest, std::abs(points.x[p][0] - x[p]));
+  }
+  return largest;
+}
+
+double largest_size(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
 }
 
 bool bounded(std::span<const double> values, double limit) {
@@ -97,22 +144,31 @@ bool ColumnSolver::surely_bounded(double velocity, double stress) const {
 
 std::optional<Breakdown> ColumnSolver::find_breakdown() const {
   constexpr double finite = std::numeric_limits<double>::max();
+  const double modulus = only_loaded_ ? scene_.problem.material.constrained_modulus : finite;
   const double stress = only_loaded_ ? growth_limit * scene_.problem.stress_scale() : finite;
   const double velocity = only_loaded_ ? growth_limit * scene_.problem.velocity_scale() : finite;
   if (frozen_) {
-    if (surely_bounded(velocity, stress)) return std::nullopt;
+    if (surely_bounded(velocity, std::min(stress, modulus))) return std::nullopt;
     ColumnSolver now(*this);
     now.thaw();
     return now.find_breakdown();
   }
-  const auto check = [&](const auto& values, const PhaseState& state, double limit,
-                         const char* quantity) {
-    return worst_of(values, state.points, limit, quantity, step_, time());
+  const auto check = [&](const auto& values, Phase phase, double limit, const char* quantity) {
+    return worst_of(values, state_of(phase).points, limit, phase, quantity);
   };
-  if (auto found = check(solid_.values.stress, solid_, stress, "effective_stress")) return found;
-  if (auto found = check(fluid_.values.stress, fluid_, stress, "pore_pressure")) return found;
-  if (auto found = check(solid_.values.velocity, solid_, velocity, "solid_velocity")) return found;
-  return check(fluid_.values.velocity, fluid_, velocity, "fluid_velocity");
+  auto found = check(solid_.values.stress, Phase::solid, stress, "effective_stress");
+  if (!found) found = check(fluid_.values.stress, Phase::fluid, stress, "pore_pressure");
+  if (!found) found = check(solid_.values.velocity, Phase::solid, velocity, "solid_velocity");
+  if (!found) found = check(fluid_.values.velocity, Phase::fluid, velocity, "fluid_velocity");
+  if (!found) found = inverted_of(solid_.values.stress, solid_.points, modulus);
+  if (!found) return std::nullopt;
+  const PhaseState& state = state_of(found->phase);
+  const double moved = largest_distance(state.points, place_points(scene_.discretization,
+                                                                   grid_.spacing, found->phase)) +
+                       largest_size(state.displacement);
+  const BreakdownCause cause = breakdown_cause(scene_, {step_, dt_, moved});
+  return Breakdown{
+      step_, fmt::format("step {}, t = {:.6g} s: {}; {}", step_, time(), found->words, cause.text)};
 }
 
 Breakdown ColumnSolver::moved_too_far() const {

@@ -45,7 +45,7 @@ std::size_t threads_at_hand() {
 }
 
 template <class T>
-void reorder(const std::vector<std::size_t>& order, std::vector<T>& values) {
+void put_in_order(const std::vector<std::size_t>& order, std::vector<T>& values) {
   const std::vector<T> old = values;
   for (std::size_t k = 0; k < order.size(); ++k) values[k] = old[order[k]];
 }
@@ -152,11 +152,11 @@ void ColumnSolver::sort_points(PhaseState& state) {
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return before(x[a], x[b]); });
-  reorder(order, state.points.x);
+  put_in_order(order, state.points.x);
   for (auto* values :
        {&state.points.volume, &state.points.mass, &state.points.domain, &state.values.velocity,
         &state.values.stress, &state.values.velocity_gradient}) {
-    if (!values->empty()) reorder(order, *values);
+    if (!values->empty()) put_in_order(order, *values);
   }
 }
 
@@ -205,7 +205,10 @@ void ColumnSolver::move_points() {
   for (PhaseState* state : {&solid_, &fluid_}) {
     std::vector<double> moved(state->points.x.size());
     state->prepared.operators->to_points(state->displacement.data(), moved.data());
-    for (std::size_t p = 0; p < moved.size(); ++p) state->points.x[p][0] += moved[p];
+    for (std::size_t p = 0; p < moved.size(); ++p) {
+      // A point of a run that breaks down stays until find_breakdown sees its velocity.
+      if (std::isfinite(moved[p])) state->points.x[p][0] += moved[p];
+    }
     std::fill(state->displacement.begin(), state->displacement.end(), 0.0);
   }
 }

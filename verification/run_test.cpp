@@ -131,7 +131,8 @@ BOOST_AUTO_TEST_CASE(an_explosion_is_reported_with_step_and_quantity) {
   const RunResult result = run_case(scene, *reference_profile(scene));
   BOOST_REQUIRE(result.breakdown);
   BOOST_TEST(result.breakdown->reason.find("step ") == 0u);
-  BOOST_TEST(result.breakdown->reason.find("at x = ") != std::string::npos);
+  BOOST_TEST(result.breakdown->reason.find(" m, solid point ") != std::string::npos);
+  BOOST_TEST(result.breakdown->reason.find(" at x = ") != std::string::npos);
   BOOST_TEST(result.steps < result.breakdown->step + 1);
   const auto json = nlohmann::json::parse(run_json(result));
   BOOST_TEST(json.at("diverged") == true);

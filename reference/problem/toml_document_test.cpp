@@ -143,6 +143,22 @@ BOOST_AUTO_TEST_CASE(wrong_axes_are_refused_with_their_line) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_range_is_of_whole_numbers_that_exist) {
+  for (const std::string range :
+       {"first = 1.1e38, count = 2", "first = 1, count = 1e300", "first = 1.0, count = 2",
+        "first = true, count = 2", "first = nan, count = 2", "first = 1, count = inf",
+        "first = 9223372036854775807, count = 2", "first = 1, count = 1000001"}) {
+    const auto document = TomlDocument::parse("[axes]\na = { " + range + " }\n", "study.toml");
+    BOOST_CHECK_EXCEPTION(document.section("axes").values("a"), InputError,
+                          [&](const InputError& error) {
+                            return std::string(error.what()).starts_with("study.toml:2: [axes] a");
+                          });
+  }
+  const auto document =
+      TomlDocument::parse("[axes]\na = { first = 9223372036854775805, count = 2 }\n", "study.toml");
+  BOOST_TEST(document.section("axes").values("a").back().text() == "9223372036854775806");
+}
+
 BOOST_AUTO_TEST_CASE(a_value_put_in_is_read_and_messages_name_its_own_line) {
   const auto base = TomlDocument::parse("[a]\nx = 1\ny = 2\n", "study.toml");
   const auto changed = base.with("a", "x", {5.5, 12}).with("b", "z", {std::string("q"), 13});

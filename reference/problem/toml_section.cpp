@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "reference/problem/errors.hpp"
 #include "reference/problem/toml_implementation.hpp"
@@ -189,15 +190,18 @@ std::vector<TomlValue> TomlSection::values(std::string_view key) {
   constexpr auto expected = "a list of one value or more, or { first = ..., count = ... }";
   const Node node = require(key, expected);
   if (const auto* range = node.node->as_table()) {
-    const auto first = (*range)["first"].value<std::int64_t>();
-    const auto count = (*range)["count"].value<std::int64_t>();
-    if (!first || !count || range->size() != 2 || *count < 1 || *count > most_values) {
+    // Not value<>: it would convert floating point numbers, whatever their size.
+    const auto* first = (*range)["first"].as_integer();
+    const auto* count = (*range)["count"].as_integer();
+    constexpr std::int64_t last = std::numeric_limits<std::int64_t>::max();
+    if (!first || !count || range->size() != 2 || **count < 1 || **count > most_values ||
+        **first > last - **count) {
       refuse(key, fmt::format("{{ first = a whole number, count = a whole number from 1 to {} }}",
                               most_values));
     }
     std::vector<TomlValue> values;
-    for (std::int64_t i = 0; i < *count; ++i) {
-      values.push_back({*first + i, static_cast<int>(node.node->source().begin.line)});
+    for (std::int64_t i = 0; i < **count; ++i) {
+      values.push_back({**first + i, static_cast<int>(node.node->source().begin.line)});
     }
     return values;
   }

@@ -31,7 +31,8 @@ int run_solve(const SolveOptions& options) {
   if (!options.json.empty()) write_file(options.json, verification::run_json(result));
   fmt::print("{}", verification::run_summary(result));
   for (const auto& file : {options.output, options.json}) {
-    if (!file.empty()) fmt::print("wrote {}\n", file);
+    if (file.empty()) continue;
+    fmt::print("wrote {}{}\n", file, result.breakdown ? ", of a run that broke down" : "");
   }
   if (!result.breakdown) return 0;
   fmt::print(stderr, "porowave: {}: the run broke down: {}\n", options.scene,

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "solver/breakdown_cause.hpp"
+
 namespace porowave::solver {
 
 namespace {
@@ -25,17 +27,16 @@ long step_count(const Case& scene, double spacing) {
   return std::max(1L, std::lround(std::ceil(scene.time.end / stable * (1.0 - 1e-12))));
 }
 
-std::optional<Breakdown> worst_of(const std::vector<double>& values, double limit,
-                                  const char* quantity, double first, double spacing, long step,
-                                  double time) {
+// What is beyond its limit first, and where.
+std::optional<std::string> excess_of(const std::vector<double>& values, double limit,
+                                     const char* quantity, const char* place, double first,
+                                     double spacing) {
   for (std::size_t k = 0; k < values.size(); ++k) {
     if (std::abs(values[k]) <= limit) continue;  // false for NaN
-    return Breakdown{
-        step,
-        fmt::format("step {}, t = {:.6g} s: {} = {:g} at x = {:.6g} m: {}", step, time, quantity,
-                    values[k], first + spacing * static_cast<double>(k),
-                    std::isfinite(values[k]) ? "more than 1e6 times the load; try a smaller courant"
-                                             : "not a finite number; try a smaller courant")};
+    return fmt::format(
+        "{} = {:g} at x = {:.6g} m, {} {}: {}", quantity, values[k],
+        first + spacing * static_cast<double>(k), place, k,
+        std::isfinite(values[k]) ? "more than 1e6 times the load" : "not a finite number");
   }
   return std::nullopt;
 }
@@ -203,14 +204,21 @@ void StaggeredSolver::step() {
 std::optional<Breakdown> StaggeredSolver::find_breakdown() const {
   const double stress = growth_limit * scene_.problem.stress_scale();
   const double velocity = growth_limit * scene_.problem.velocity_scale();
-  const auto check = [&](const auto& values, double limit, const char* quantity, double first) {
-    return worst_of(values, limit, quantity, first, spacing_, step_, time());
+  const auto stress_excess = [&](const std::vector<double>& values, const char* quantity) {
+    // The first one is of the cell before the column.
+    return excess_of(values, stress, quantity, "cell", -0.5 * spacing_, spacing_);
   };
-  const double middle = -0.5 * spacing_;  // of the cell before the first
-  if (auto found = check(solid_.stress_sum, stress, "effective_stress", middle)) return found;
-  if (auto found = check(fluid_.stress_sum, stress, "pore_pressure", middle)) return found;
-  if (auto found = check(solid_.velocity_sum, velocity, "solid_velocity", 0.0)) return found;
-  return check(fluid_.velocity_sum, velocity, "fluid_velocity", 0.0);
+  const auto velocity_excess = [&](const std::vector<double>& values, const char* quantity) {
+    return excess_of(values, velocity, quantity, "node", 0.0, spacing_);
+  };
+  auto found = stress_excess(solid_.stress_sum, "effective_stress");
+  if (!found) found = stress_excess(fluid_.stress_sum, "pore_pressure");
+  if (!found) found = velocity_excess(solid_.velocity_sum, "solid_velocity");
+  if (!found) found = velocity_excess(fluid_.velocity_sum, "fluid_velocity");
+  if (!found) return std::nullopt;
+  const BreakdownCause cause = breakdown_cause(scene_, {step_, dt_, 0.0});
+  return Breakdown{step_,
+                   fmt::format("step {}, t = {:.6g} s: {}; {}", step_, time(), *found, cause.text)};
 }
 
 std::optional<Breakdown> StaggeredSolver::run() {

@@ -27,6 +27,10 @@ std::string quoted_field(const std::string& text) {
   return result + '"';
 }
 
+std::string field(const std::string& text) {
+  return text.find_first_of(",\"") == std::string::npos ? text : quoted_field(text);
+}
+
 /// Fields of one line; "..." may hold commas and doubled quotes.
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> fields(1);
@@ -54,6 +58,17 @@ double number_in(const std::string& text, const std::string& where) {
   return value;
 }
 
+/// A whole number, 1 or more.
+int count_in(const std::string& text, const std::string& where) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < 1) {
+    throw InputError(
+        fmt::format("{}: {}: expected a whole number of replicates, at least 1", where, text));
+  }
+  return value;
+}
+
 void read_row(const std::string& line, const std::string& where, Baseline& baseline) {
   const auto fields = split(line);
   if (fields.size() != columns) {
@@ -61,7 +76,7 @@ void read_row(const std::string& line, const std::string& where, Baseline& basel
   }
   Expected& expected = baseline.expected[{fields[0], fields[1]}];
   expected.seeds = fields[2];
-  expected.replicates = static_cast<int>(number_in(fields[3], where));
+  expected.replicates = count_in(fields[3], where);
   expected.order = number_in(fields[4], where);
   expected.order_half = number_in(fields[5], where);
   expected.spacing.push_back(number_in(fields[6], where));
@@ -106,7 +121,7 @@ std::string baseline_text(const Baseline& baseline) {
   for (const auto& [key, expected] : baseline.expected) {
     for (std::size_t i = 0; i < expected.spacing.size(); ++i) {
       text += fmt::format("{},{},{},{},{:.4f},{:.4f},{},{:.6f},{:.6f}\n", quoted_field(key.first),
-                          key.second, quoted_field(expected.seeds), expected.replicates,
+                          field(key.second), quoted_field(expected.seeds), expected.replicates,
                           expected.order, expected.order_half, expected.spacing[i],
                           expected.mean_log[i], expected.sd_log[i]);
     }

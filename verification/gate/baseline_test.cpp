@@ -48,6 +48,18 @@ BOOST_AUTO_TEST_CASE(what_is_written_is_read) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(names_may_hold_what_separates_them) {
+  Baseline baseline;
+  for (const std::string name : {"a,b", "say \"it\"", "\"", ",", "plain"}) {
+    baseline.expected[{name, name}] = {name, {0.1}, {-3.25}, {0.125}, 2, 1.75, 0.5};
+  }
+  const Baseline again = written_and_read(baseline_text(baseline));
+  BOOST_REQUIRE(again.expected.size() == baseline.expected.size());
+  for (const auto& [key, expected] : baseline.expected) {
+    BOOST_TEST(again.expected.at(key).seeds == expected.seeds);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(files_that_are_no_baseline_are_refused) {
   const std::string good = baseline_text(sample());
   BOOST_CHECK_THROW(written_and_read(""), InputError);
@@ -57,6 +69,16 @@ BOOST_AUTO_TEST_CASE(files_that_are_no_baseline_are_refused) {
                         [](const InputError& e) {
                           return std::string(e.what()).ends_with("abc: expected a number");
                         });
+  for (const std::string replicates : {"6.7e57", "nan", "99999999999", "2.5", "0", "-1", ""}) {
+    BOOST_TEST_CONTEXT("replicates " << replicates) {
+      BOOST_CHECK_EXCEPTION(
+          written_and_read(good + "g,m,1," + replicates + ",2,0,0.1,0.5,0\n"), InputError,
+          [&](const InputError& e) {
+            return std::string(e.what()).find(replicates + ": expected a whole number") !=
+                   std::string::npos;
+          });
+    }
+  }
   BOOST_CHECK_THROW(read_baseline("/nonexistent/b.csv"), InputError);
 }
 

@@ -168,6 +168,13 @@ BOOST_AUTO_TEST_CASE(cases_that_cannot_be_run_are_rows_with_their_reason) {
   for (const Record& row : store.all()) {
     BOOST_TEST((row.status == CaseStatus::done) == row.reason.empty());
     BOOST_TEST((row.status == CaseStatus::done) == std::isfinite(row.measures[0]));
+    if (row.status != CaseStatus::broke_down) continue;
+    BOOST_TEST(row.steps > 0);
+    BOOST_TEST(row.reason.starts_with("step " + std::to_string(row.steps) + ", t = "), row.reason);
+    for (const char* words : {" = ", " at x = ", " m, solid point ",
+                              "likely cause: the time step is ", "try a smaller courant: 0."}) {
+      BOOST_TEST(row.reason.find(words) != std::string::npos, row.reason);
+    }
   }
 }
 
