@@ -48,7 +48,10 @@ std::optional<TomlValue> value_of(const toml::node& node) {
     std::vector<double> numbers;
     for (const auto& entry : *list) {
       if (!entry.is_number()) return std::nullopt;
-      numbers.push_back(entry.value<double>().value());
+      // Not value<double>: it has none for integers that are rounded.
+      const auto* whole = entry.as_integer();
+      numbers.push_back(whole ? static_cast<double>(whole->get())
+                              : entry.as_floating_point()->get());
     }
     result.value = std::move(numbers);
   } else {

@@ -159,6 +159,15 @@ BOOST_AUTO_TEST_CASE(a_range_is_of_whole_numbers_that_exist) {
   BOOST_TEST(document.section("axes").values("a").back().text() == "9223372036854775806");
 }
 
+BOOST_AUTO_TEST_CASE(integers_that_no_double_holds_are_rounded_in_lists) {
+  const auto document =
+      TomlDocument::parse("[axes]\na = [[100, 8088888888888888881, 0.5]]\n", "study.toml");
+  const auto value = document.section("axes").values("a").at(0);
+  const std::vector<double> expected = {100.0, 8088888888888888881.0, 0.5};
+  BOOST_TEST(std::get<std::vector<double>>(value.value) == expected,
+             boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(a_value_put_in_is_read_and_messages_name_its_own_line) {
   const auto base = TomlDocument::parse("[a]\nx = 1\ny = 2\n", "study.toml");
   const auto changed = base.with("a", "x", {5.5, 12}).with("b", "z", {std::string("q"), 13});
