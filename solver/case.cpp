@@ -7,8 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/problem/errors.hpp"
 #include "reference/problem/toml_document.hpp"
-#include "solver/time_step.hpp"
+#include "solver/stability/automatic_step.hpp"
 
 namespace porowave::solver {
 
@@ -18,6 +19,7 @@ constexpr int most_elements = 10'000'000;
 constexpr int most_points_per_element = 1000;
 constexpr int most_xpic_orders = 10;
 constexpr int fewest_staggered_elements = 8;
+constexpr double highest_max_condition = 1e12;
 
 // A word of the interface that this version does not offer is refused by name.
 void refuse_if(TomlSection& section, std::string_view key, std::string_view word,
@@ -51,8 +53,10 @@ void read_shape(TomlSection& section, const char* transfer, std::string_view fal
     section.refuse("support_radius",
                    fmt::format("{:g} {}, which has no other support", d.support_radius, with));
   }
-  if (section.has("basis_order")) {
-    section.refuse("basis_order", fmt::format("no basis_order {}, which has no basis", with));
+  for (const char* key : {"basis_order", "max_condition"}) {
+    if (section.has(key)) {
+      section.refuse(key, fmt::format("no {} {}, which has no basis", key, with));
+    }
   }
 }
 
@@ -99,6 +103,8 @@ void read_mls_transfer(TomlSection& section, Discretization& d) {
   d.kernel = KernelName{section.choice_or("kernel", fallback, names)};
   read_support(section, d);
   d.basis_order = static_cast<int>(section.integer_or("basis_order", 1, 0, 2));
+  d.max_condition = section.number_or("max_condition", d.max_condition,
+                                      {1.0, highest_max_condition, true, false});
 }
 
 void read_galerkin_scheme(TomlSection& section, Discretization& d) {
@@ -126,7 +132,9 @@ void read_staggered_scheme(TomlSection& section, Discretization& d) {
   if (section.has("transfer") && section.text("transfer") != "mls") {
     section.refuse("transfer", of_scheme("\"mls\""));
   }
-  if (section.has("strain")) section.refuse("strain", of_scheme("no strain"));
+  for (const char* key : {"strain", "max_condition"}) {
+    if (section.has(key)) section.refuse(key, of_scheme(fmt::format("no {}", key)));
+  }
   if (d.elements < fewest_staggered_elements) {
     section.refuse("elements", of_scheme(fmt::format("at least {}", fewest_staggered_elements)));
   }
@@ -250,6 +258,19 @@ TimeSettings read_time(const TomlDocument& document, const Discretization& discr
   return time;
 }
 
+void choose_courant(const TomlDocument& document, Case& scene) {
+  scene.time.courant = TimeSettings{}.courant;
+  try {
+    scene.time.automatic = automatic_step(scene);
+  } catch (const NoStableStep& reason) {
+    document.section("time").refuse("courant", reason.what());
+  } catch (const BreakdownError& reason) {
+    document.section("time").refuse("courant",
+                                    fmt::format("a scene that can be stepped; {}", reason.what()));
+  }
+  scene.time.courant = scene.time.automatic->courant;
+}
+
 }  // namespace
 
 Case read_case(const TomlDocument& document) {
@@ -257,7 +278,7 @@ Case read_case(const TomlDocument& document) {
   const Problem problem = read_problem(document);
   const Discretization discretization = read_discretization(document, problem);
   Case scene{problem, discretization, read_time(document, discretization)};
-  if (std::isnan(scene.time.courant)) scene.time.courant = automatic_courant(scene);
+  if (std::isnan(scene.time.courant)) choose_courant(document, scene);
   return scene;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,6 +60,7 @@ struct Discretization {
   double support_radius = natural_radius(kernel_name<BSpline2>);  // in element lengths
   bool adaptive_support = false;  // enlarge support_radius where points are too few for the basis
   int basis_order = 1;            // 0 to 2; 2 or 3 for Scheme::staggered4
+  double max_condition = 1e4;     // of moments (mls.hpp), > 1; above it the basis loses an order
   Strain strain = Strain::cell;
   int points_per_element = 4;  // of each phase
   Placement placement = Placement::uniform;
@@ -78,12 +80,33 @@ constexpr std::string_view name(StepPath p) {
   return path_names[static_cast<std::size_t>(p)];
 }
 
+// How courant = "auto" was settled (stability/automatic_step.hpp).
+enum class StepRule {
+  critical_step,  // a share of the critical step of the scene
+  window,         // a share of that of some of its elements
+  formula,        // an estimate (time_step.hpp)
+};
+inline constexpr std::array<std::string_view, 3> step_rule_names = {"critical_step", "window",
+                                                                    "formula"};
+constexpr std::string_view name(StepRule rule) {
+  return step_rule_names[static_cast<std::size_t>(rule)];
+}
+
+struct AutomaticStep {
+  StepRule rule;
+  double courant;   // that was chosen
+  double critical;  // critical Courant number, 1 if it is that or more; 0 if none was looked for
+  double noise_growth;  // factor of noise in the run, by eigenvalues; NaN if not looked for
+  int elements;         // that were analysed
+};
+
 struct TimeSettings {
-  double end = 0.0;      // s
-  double courant = 0.5;  // c_1 Δt/h; of courant = "auto", what time_step.hpp chose
-  double flip = 1.0;     // 1 FLIP ... 0 PIC
-  int xpic_order = 0;    // 1 to 10: XPIC of that order instead of flip (velocity_noise.hpp)
-  int order = 2;         // of the time step: 2, or 4 with Scheme::staggered4
+  double end = 0.0;                             // s
+  double courant = 0.5;                         // c_1 Δt/h
+  std::optional<AutomaticStep> automatic = {};  // of courant = "auto", which chose it
+  double flip = 1.0;                            // 1 FLIP ... 0 PIC
+  int xpic_order = 0;  // 1 to 10: XPIC of that order instead of flip (velocity_noise.hpp)
+  int order = 2;       // of the time step: 2, or 4 with Scheme::staggered4
   StepPath path = StepPath::automatic;
 };
 
@@ -102,7 +125,8 @@ struct Case {
 };
 
 // Reads a case. Throws InputError (file, line, key, value, what was expected) for wrong values, for
-// keys that do not belong together and for choices that this version does not have.
+// keys that do not belong together, for choices that this version does not have, and with
+// courant = "auto" for scenes without a stable time step.
 Case read_case(const TomlDocument& document);
 Case load_case(const std::string& path);
 

@@ -37,6 +37,20 @@ BOOST_AUTO_TEST_CASE(shape_takes_every_shape_function) {
                                "\"bspline2\"")) == "no error");
 }
 
+BOOST_AUTO_TEST_CASE(moving_least_squares_take_a_limit_of_the_condition) {
+  BOOST_TEST(read(lines("")).discretization.max_condition == 1e4);
+  BOOST_TEST(read(lines("max_condition = 50")).discretization.max_condition == 50.0);
+  BOOST_TEST(
+      message_for(lines("max_condition = 1")) ==
+      "case.toml:21: [discretization] max_condition = 1: expected a number > 1 and <= 1e+12");
+  BOOST_TEST(message_for(lines("max_condition = 50\ntransfer = \"shape\"")) ==
+             "case.toml:21: [discretization] max_condition = 50: expected no max_condition with "
+             "transfer = \"shape\", which has no basis");
+  BOOST_TEST(message_for(lines("max_condition = 50\nscheme = \"staggered4\"")) ==
+             "case.toml:21: [discretization] max_condition = 50: expected no max_condition with "
+             "scheme = \"staggered4\"");
+}
+
 BOOST_AUTO_TEST_CASE(apic_takes_splines_and_is_quadratic_by_itself) {
   BOOST_TEST(kernel_word(read(lines("transfer = \"apic\"")).discretization) == "bspline2");
   BOOST_TEST(read(lines("transfer = \"apic\"")).time.flip == 0.0);

@@ -55,7 +55,7 @@ double linear_shape_limit(const Case& scene) {
   return std::sqrt(smallest);
 }
 
-double automatic_courant(const Case& scene) {
+double estimated_courant(const Case& scene) {
   const Discretization& d = scene.discretization;
   if (d.scheme == Scheme::staggered4) {
     return d.placement == Placement::uniform || scene.time.order == 4 ? 0.8 : 0.5;

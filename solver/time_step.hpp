@@ -1,13 +1,14 @@
 #pragma once
 
-// The time step of a case that leaves it to the program (courant = "auto").
+// Stable time steps by formula, without looking at the eigenvalues of the step: what
+// stability/automatic_step.hpp falls back on.
 
 #include "solver/case.hpp"
 
 namespace porowave::solver {
 
-// The Courant number c_1 Δt/h for a case, c_1 the speed of the fast wave without drag; > 0 and
-// <= 1. Drag and load have no part in it: drag is integrated exactly.
+// An estimate of a stable Courant number c_1 Δt/h for a case, c_1 the speed of the fast wave
+// without drag; > 0 and <= 1. Drag and load have no part in it: drag is integrated exactly.
 //
 //   shape, apic   0.9 linear_shape_limit(scene), 0.64 for uniform points
 //   mls           0.7; 0.4 with points that are random over the whole column
@@ -21,7 +22,7 @@ namespace porowave::solver {
 // and again 7 (by more, 1.3) at 0.8; with recovered strains in 17, 3, 2 and 1 of 240. The growth of
 // those left is below 1.004 a step. Supports far beyond the natural one were not measured.
 // staggered4: solver/README.md.
-double automatic_courant(const Case& scene);
+double estimated_courant(const Case& scene);
 
 // The largest Courant number at which transfer = "shape" with linear functions is stable without
 // drag, for the points of the case: √min over nodes i and phases of Σ_p V_p N_i(x_p) / V_i, V_i the

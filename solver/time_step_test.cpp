@@ -81,25 +81,17 @@ bool breaks_down(const Case& scene) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(auto_in_a_case_file_is_what_is_chosen_for_the_case) {
-  const std::string automatic = with("courant = 0.25", "courant = \"auto\"");
-  BOOST_TEST(read(automatic).time.courant == 0.7);
-  BOOST_TEST(read(automatic).time.courant == automatic_courant(read(full)));
-  BOOST_TEST(read(with("jitter = 0.25\n", "", with("\"jittered\"", "\"random\"", automatic)))
-                 .time.courant == 0.4);
-}
-
-BOOST_AUTO_TEST_CASE(every_scheme_has_its_choice) {
+BOOST_AUTO_TEST_CASE(every_scheme_has_its_estimate) {
   Case scene = linear_shape(Placement::uniform, 4);
-  BOOST_TEST(std::abs(automatic_courant(scene) - 0.9 * std::sqrt(0.5)) < 1e-12);
+  BOOST_TEST(std::abs(estimated_courant(scene) - 0.9 * std::sqrt(0.5)) < 1e-12);
   scene.discretization.transfer = TransferName::apic;
-  BOOST_TEST(std::abs(automatic_courant(scene) - 0.9 * std::sqrt(0.5)) < 1e-12);
+  BOOST_TEST(std::abs(estimated_courant(scene) - 0.9 * std::sqrt(0.5)) < 1e-12);
   scene.discretization.scheme = Scheme::staggered4;
-  BOOST_TEST(automatic_courant(scene) == 0.8);
+  BOOST_TEST(estimated_courant(scene) == 0.8);
   scene.discretization.placement = Placement::stratified;
-  BOOST_TEST(automatic_courant(scene) == 0.5);
+  BOOST_TEST(estimated_courant(scene) == 0.5);
   scene.time.order = 4;
-  BOOST_TEST(automatic_courant(scene) == 0.8);
+  BOOST_TEST(estimated_courant(scene) == 0.8);
 }
 
 BOOST_AUTO_TEST_CASE(the_limit_of_uniform_points_is_one_over_root_two) {
@@ -132,7 +124,7 @@ BOOST_AUTO_TEST_CASE(the_limit_holds_for_the_points_that_a_case_has) {
   BOOST_TEST(unstable > 5);
 }
 
-BOOST_AUTO_TEST_CASE(moving_least_squares_stay_bounded_at_their_choice) {
+BOOST_AUTO_TEST_CASE(moving_least_squares_stay_bounded_at_their_estimate) {
   for (std::size_t k = 0; k < kernel_count; ++k) {
     for (const Placement placement : {Placement::uniform, Placement::stratified}) {
       Case scene = papers_case(60);
@@ -141,7 +133,7 @@ BOOST_AUTO_TEST_CASE(moving_least_squares_stay_bounded_at_their_choice) {
       d.support_radius = natural_radius(d.kernel);
       d.placement = placement;
       d.strain = placement == Placement::uniform ? Strain::cell : Strain::recovered;
-      const double share = largest_share(long_run(scene, automatic_courant(scene)));
+      const double share = largest_share(long_run(scene, estimated_courant(scene)));
       BOOST_TEST_MESSAGE(to_string(d.kernel) << ", " << name(placement) << ": " << share);
       BOOST_TEST(share < 10.0);
     }
@@ -158,7 +150,7 @@ BOOST_AUTO_TEST_CASE(drag_never_limits_the_time_step) {
         scene.problem.material.intrinsic_permeability = std::pow(10.0, exponent);
         scene.discretization.scheme = scheme;
         if (scheme == Scheme::staggered4) scene.discretization.basis_order = 2;
-        scene.time.courant = automatic_courant(scene);
+        scene.time.courant = estimated_courant(scene);
         scene.time.end = 2e-4;
         const double share = largest_share(scene);
         BOOST_TEST_MESSAGE((scheme == Scheme::galerkin ? "galerkin, " : "staggered4, ")

@@ -144,11 +144,12 @@ void Transfer<Dim>::build_mls(const PointSet<Dim>& points, const Grid<Dim>& grid
   const auto centres =
       positions<Dim>(grid.cell_count(), [&](int c) { return grid.cell_centre(c); });
   MlsReport report;
-  node_rows_ = mls_rows<Dim>(nodes, points.x, choice.kernel, support, choice.basis_order, report);
+  node_rows_ = mls_rows<Dim>(nodes, points.x, choice.kernel, support, choice.basis_order, report,
+                             choice.max_condition);
   reduced_rows_ = report.rows_of_reduced_order;
   empty_rows_ = report.rows_without_point;
-  quadrature_rows_ =
-      mls_rows<Dim>(centres, points.x, choice.kernel, support, choice.basis_order, report);
+  quadrature_rows_ = mls_rows<Dim>(centres, points.x, choice.kernel, support, choice.basis_order,
+                                   report, choice.max_condition);
   reduced_rows_ += report.rows_of_reduced_order;
   empty_rows_ += report.rows_without_point;
   linear_at_quadrature_ = linear_rows<Dim>(centres, grid);

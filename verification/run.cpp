@@ -72,6 +72,7 @@ RunResult run_with(const solver::Case& scene) {
   result.time_step = solver.time_step();
   const double spacing = solver::ColumnSolver::grid_length(scene) / scene.discretization.elements;
   result.courant = wave_speeds(scene.problem.material).p1 * result.time_step / spacing;
+  result.automatic = scene.time.automatic;
   result.points = solver.point_count();
   result.reduced_rows = solver.reduced_rows();
   result.empty_rows = solver.empty_rows();

@@ -30,7 +30,8 @@ struct RunResult {
   long frozen_steps = 0;
   double time_step = 0.0;  ///< s
   double courant = 0.0;    ///< c_1 Δt/h of that step; the case's, or less to end at time.end
-  std::size_t points = 0;  ///< of both phases
+  std::optional<solver::AutomaticStep> automatic;  ///< of courant = "auto"
+  std::size_t points = 0;                          ///< of both phases
   std::size_t reduced_rows = 0;
   std::size_t empty_rows = 0;
   double reference_error = 0.0;  ///< bound of the reference, relative to the load

@@ -38,6 +38,32 @@ Json measures_json(const WaveMeasures& m) {
   return json;
 }
 
+Json automatic_json(const std::optional<solver::AutomaticStep>& step) {
+  if (!step) return nullptr;
+  Json json;
+  json["rule"] = solver::name(step->rule);
+  json["courant"] = number(step->courant);
+  json["elements_analysed"] = step->elements;
+  json["critical_courant"] = step->elements > 0 ? Json(number(step->critical)) : Json(nullptr);
+  json["noise_growth"] = number(step->noise_growth);
+  return json;
+}
+
+std::string automatic_text(const solver::AutomaticStep& step) {
+  switch (step.rule) {
+    case solver::StepRule::critical_step:
+      return fmt::format("courant {:.4g}: critical step of this scene at {:.4g}{}\n", step.courant,
+                         step.critical, step.critical < 1.0 ? "" : " or more");
+    case solver::StepRule::window:
+      return fmt::format("courant {:.4g}: critical step of {} of its elements at {:.4g}{}\n",
+                         step.courant, step.elements, step.critical,
+                         step.critical < 1.0 ? "" : " or more");
+    case solver::StepRule::formula:
+      break;
+  }
+  return fmt::format("courant {:.4g}: by formula\n", step.courant);
+}
+
 }  // namespace
 
 void write_points_csv(const solver::Snapshot& snapshot, std::ostream& out) {
@@ -61,6 +87,7 @@ std::string run_json(const RunResult& result) {
   json["time"] = number(result.snapshot.time);
   json["time_step"] = number(result.time_step);
   json["courant"] = number(result.courant);
+  json["automatic_courant"] = automatic_json(result.automatic);
   json["steps"] = result.steps;
   json["points"] = result.points;
   json["wall_seconds"] = number(result.cost.wall_seconds);
@@ -81,6 +108,7 @@ std::string run_summary(const RunResult& result) {
       "{} points, {} steps of {:.4g} s, {:.1f} ns per point and step, {:.3g} s of CPU\n",
       result.points, result.steps, result.time_step, result.cost.ns_per_point_step,
       result.cost.cpu_seconds);
+  if (result.automatic) text += automatic_text(*result.automatic);
   if (result.reduced_rows > 0) {
     text += fmt::format("{} evaluations had too few points for the basis and lowered its order\n",
                         result.reduced_rows);

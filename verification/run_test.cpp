@@ -1,11 +1,13 @@
 #include "verification/run.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "reference/problem/errors.hpp"
 #include "reference/problem/problem_fixtures.hpp"
+#include "solver/stability/automatic_step.hpp"
 #include "verification/run_output.hpp"
 
 BOOST_AUTO_TEST_SUITE(run)
@@ -112,6 +114,28 @@ BOOST_AUTO_TEST_CASE(json_says_which_path_ran) {
   const auto json = nlohmann::json::parse(run_json(result));
   BOOST_TEST(json.at("path") == "points");
   BOOST_TEST(json.at("frozen_steps") == 0);
+}
+
+BOOST_AUTO_TEST_CASE(json_says_how_the_step_was_chosen) {
+  Case scene = small_case();
+  const auto profile = reference_profile(scene);
+  const auto chosen_in = [&] {
+    return nlohmann::json::parse(run_json(run_case(scene, *profile))).at("automatic_courant");
+  };
+  BOOST_TEST(chosen_in().is_null());
+  scene.time.automatic = solver::automatic_step(scene);
+  scene.time.courant = scene.time.automatic->courant;
+  const auto of_window = chosen_in();
+  BOOST_TEST(of_window.at("rule") == "window");
+  BOOST_TEST(of_window.at("elements_analysed") == 48);
+  BOOST_TEST(of_window.at("courant").get<double>() == scene.time.courant);
+  BOOST_TEST(of_window.at("critical_courant").get<double>() > scene.time.courant);
+  BOOST_TEST(run_summary(run_case(scene, *profile)).find("critical step of 48 of its elements") !=
+             std::string::npos);
+  scene.time.automatic = solver::AutomaticStep{solver::StepRule::formula, 0.5, 0.0, NAN, 0};
+  BOOST_TEST(chosen_in().at("rule") == "formula");
+  BOOST_TEST(chosen_in().at("critical_courant").is_null());
+  BOOST_TEST(chosen_in().at("noise_growth").is_null());
 }
 
 BOOST_AUTO_TEST_CASE(json_says_that_staggered4_visits_no_points) {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "reference/problem/errors.hpp"
-#include "solver/time_step.hpp"
+#include "solver/stability/automatic_step.hpp"
 
 namespace porowave::verification {
 

@@ -142,14 +142,18 @@ Growth dense_growth(const LinearMap& map, bool want_mode) {
     map.apply(in(unit), {matrix.col(k).data(), map.size});
     unit[k] = 0.0;
   }
-  const Eigen::EigenSolver<MatrixXd> solver(matrix, want_mode);
   Growth found;
+  found.steps = static_cast<long>(map.size);
+  if (!matrix.allFinite()) {
+    found.per_step = HUGE_VAL;
+    return found;
+  }
+  const Eigen::EigenSolver<MatrixXd> solver(matrix, want_mode);
   Eigen::Index best = 0;
   found.per_step = solver.eigenvalues().cwiseAbs().maxCoeff(&best);
   found.eigenvalue = solver.eigenvalues()[best];
   if (want_mode) found.mode = unit_mode(solver.eigenvectors().col(best));
   found.settled = solver.info() == Eigen::Success;
-  found.steps = static_cast<long>(map.size);
   return found;
 }
 

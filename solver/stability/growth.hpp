@@ -38,7 +38,8 @@ struct GrowthSettings {
 Growth growth(const LinearMap& map, const GrowthSettings& settings = {});
 
 // All eigenvalues of the matrix, by the QR algorithm: exact to rounding (1e-7 where eigenvectors
-// coincide, as with rigid motion), 10 size³ operations.
+// coincide, as with rigid motion), 10 size³ operations. Infinite growth, without an eigenvalue, if
+// a number of the matrix is not finite.
 Growth dense_growth(const LinearMap& map, bool want_mode);
 
 // From noise, as many steps as a mode that grows by `limit` needs to outgrow all others by e^14,
