@@ -5,6 +5,8 @@
 #include <limits>
 #include <map>
 
+#include "verification/not_a_number.hpp"
+
 namespace porowave::reports {
 
 namespace {
@@ -14,7 +16,7 @@ using verification::Record;
 
 using Key = std::pair<std::string, std::string>;  // study, specification
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using verification::nan;
 
 bool ended(const Record& row, std::size_t measure) {
   return row.status == CaseStatus::done && row.measures[measure] > 0.0 &&

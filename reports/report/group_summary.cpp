@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "reports/report/parallel.hpp"
+#include "verification/not_a_number.hpp"
 
 namespace porowave::reports {
 
@@ -15,7 +15,7 @@ namespace {
 using verification::OrderStatus;
 using verification::Record;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using verification::nan;
 
 double median(std::vector<double> values) {
   if (values.empty()) return nan;
