@@ -23,8 +23,8 @@ struct WorkPrecision {
 /// Measures every method at every resolution, with the step of courant = "auto". All methods are
 /// judged by the reference of the first: they must share problem and end. Repetitions are
 /// interleaved: all methods once, then all of them again, so that a machine that is busy for a
-/// while slows all of them. Throws BreakdownError if a run breaks down, std::invalid_argument for
-/// fewer than one repetition.
+/// while slows all of them. Throws BreakdownError if a run breaks down, solver::NoStableStep if a
+/// method has no stable step, std::invalid_argument for fewer than one repetition.
 std::vector<WorkPrecision> measure(std::span<const Method> methods, std::span<const int> elements,
                                    int repetitions);
 
