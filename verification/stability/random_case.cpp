@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
-#include <random>
 #include <span>
 #include <string_view>
 
 #include "reference/problem/problem.hpp"
+#include "verification/stability/dice.hpp"
 
 namespace porowave::verification {
 
@@ -19,42 +18,26 @@ using Words = std::span<const std::string_view>;
 constexpr double courant_of_length = 0.5;
 
 /// Writes a case file line by line; every choice is a draw.
-class CaseWriter {
- public:
-  explicit CaseWriter(std::uint64_t seed) : generator_(seed) {}
+struct CaseWriter {
+  Dice dice;
+  std::string text = {};
 
-  /// Even in [low, high); from the upper bits, the same everywhere.
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(generator_() >> 11) * 0x1p-53;
-  }
-  double log_between(double low, double high) {
-    return std::exp(between(std::log(low), std::log(high)));
-  }
-  int integer(int first, int last) {
-    return first + static_cast<int>(between(0.0, last - first + 1.0));
-  }
-  bool chance(double share) { return between(0.0, 1.0) < share; }
-  bool given() { return chance(2.0 / 3.0); }
+  bool given() { return dice.chance(2.0 / 3.0); }
   std::string_view one_of(Words words) {
-    return words[static_cast<std::size_t>(integer(0, static_cast<int>(words.size()) - 1))];
+    return words[static_cast<std::size_t>(dice.integer(0, static_cast<int>(words.size()) - 1))];
   }
 
-  void section(std::string_view name) { text_ += fmt::format("\n[{}]\n", name); }
+  void section(std::string_view name) { text += fmt::format("\n[{}]\n", name); }
   void number(std::string_view key, double value) {
-    text_ += fmt::format("{} = {:e}\n", key, value);
+    text += fmt::format("{} = {:e}\n", key, value);
   }
   void whole(std::string_view key, std::uint64_t value) {
-    text_ += fmt::format("{} = {}\n", key, value);
+    text += fmt::format("{} = {}\n", key, value);
   }
   void word(std::string_view key, std::string_view value) {
-    text_ += fmt::format("{} = \"{}\"\n", key, value);
+    text += fmt::format("{} = \"{}\"\n", key, value);
   }
-  void line(const std::string& text) { text_ += text + "\n"; }
-  const std::string& text() const { return text_; }
-
- private:
-  std::mt19937_64 generator_;
-  std::string text_;
+  void line(const std::string& words) { text += words + "\n"; }
 };
 
 constexpr std::array<std::string_view, 6> kernels = {"bspline1",    "bspline2",    "bspline3",
@@ -73,9 +56,9 @@ struct Size {
 };
 
 Material write_material(CaseWriter& file) {
-  Material m{file.between(0.2, 0.6), 2650.0, 1000.0, 0.0, 2.2e9, 0.0, 1e-3};
-  m.constrained_modulus = m.fluid_bulk_modulus * file.log_between(1e-4, 1e4);
-  m.intrinsic_permeability = file.log_between(1e-16, 1e-6);
+  Material m{file.dice.between(0.2, 0.6), 2650.0, 1000.0, 0.0, 2.2e9, 0.0, 1e-3};
+  m.constrained_modulus = m.fluid_bulk_modulus * file.dice.log_between(1e-4, 1e4);
+  m.intrinsic_permeability = file.dice.log_between(1e-16, 1e-6);
   file.section("material");
   file.number("porosity", m.porosity);
   file.number("grain_density", m.grain_density);
@@ -88,29 +71,31 @@ Material write_material(CaseWriter& file) {
 }
 
 Size choose_size(CaseWriter& file, const Material& m) {
-  Size size{file.log_between(0.01, 10.0), file.integer(12, 32), 0.0, file.chance(0.1)};
+  Size size{file.dice.log_between(0.01, 10.0), file.dice.integer(12, 32), 0.0,
+            file.dice.chance(0.1)};
   const double crossing = size.spacing() / wave_speeds(m).p1;
-  size.end = file.log_between(200.0, 3000.0) * courant_of_length * crossing;
+  size.end = file.dice.log_between(200.0, 3000.0) * courant_of_length * crossing;
   if (size.half_space) size.length = 1.05 * wave_speeds(m).p1 * size.end;
   return size;
 }
 
 void write_column_and_load(CaseWriter& file, const Material& m, const Size& size) {
   file.section("column");
-  const auto near = static_cast<NearEnd>(file.integer(0, 3));
-  const auto far = size.half_space ? FarEnd::half_space : static_cast<FarEnd>(file.integer(0, 2));
+  const auto near = static_cast<NearEnd>(file.dice.integer(0, 3));
+  const auto far =
+      size.half_space ? FarEnd::half_space : static_cast<FarEnd>(file.dice.integer(0, 2));
   file.word("near", name(near));
   file.word("far", name(far));
   if (!size.half_space) file.number("length", size.length);
   file.section("load");
-  const auto shape = static_cast<LoadShape>(file.integer(0, 4));
-  const double strain = file.log_between(1e-14, 1e-6);
+  const auto shape = static_cast<LoadShape>(file.dice.integer(0, 4));
+  const double strain = file.dice.log_between(1e-14, 1e-6);
   const double speed = m.undrained_speed();
   file.word("shape", name(shape));
   file.number("magnitude",
               strain * speed * (near == NearEnd::velocity ? 1.0 : m.mixture_density() * speed));
   if (has_duration(shape)) {
-    file.number("duration", file.log_between(1.0, 40.0) * size.spacing() / wave_speeds(m).p1);
+    file.number("duration", file.dice.log_between(1.0, 40.0) * size.spacing() / wave_speeds(m).p1);
   }
 }
 
@@ -118,17 +103,17 @@ void write_mls(CaseWriter& file) {
   if (file.given()) file.word("transfer", "mls");
   double natural = 1.5;
   if (file.given()) {
-    const int kernel = file.integer(0, 5);
+    const int kernel = file.dice.integer(0, 5);
     file.word("kernel", kernels[static_cast<std::size_t>(kernel)]);
     natural = kernel < 3 ? 0.5 * (kernel + 2) : 2.0;
   }
   if (!file.given()) {
-    file.number("support_radius", file.between(natural, 5.0));
-  } else if (file.chance(0.3)) {
+    file.number("support_radius", file.dice.between(natural, 5.0));
+  } else if (file.dice.chance(0.3)) {
     file.word("support_radius", "adaptive");
   }
-  if (!file.given()) file.whole("basis_order", static_cast<std::uint64_t>(file.integer(0, 2)));
-  if (file.given()) file.word("strain", file.chance(0.5) ? "recovered" : "cell");
+  if (!file.given()) file.whole("basis_order", static_cast<std::uint64_t>(file.dice.integer(0, 2)));
+  if (file.given()) file.word("strain", file.dice.chance(0.5) ? "recovered" : "cell");
 }
 
 void write_shape(CaseWriter& file) {
@@ -139,7 +124,7 @@ void write_shape(CaseWriter& file) {
     file.word("kernel", shape);
   }
   if (shape == shapes[0] && file.given()) {
-    file.word("strain", file.chance(0.5) ? "recovered" : "cell");
+    file.word("strain", file.dice.chance(0.5) ? "recovered" : "cell");
   }
 }
 
@@ -151,22 +136,22 @@ void write_apic(CaseWriter& file) {
 void write_staggered(CaseWriter& file) {
   file.word("scheme", "staggered4");
   if (file.given()) file.word("kernel", file.one_of(kernels));
-  if (file.given()) file.whole("basis_order", static_cast<std::uint64_t>(file.integer(2, 3)));
-  if (file.chance(0.3)) file.number("support_radius", file.between(1.5, 5.0));
+  if (file.given()) file.whole("basis_order", static_cast<std::uint64_t>(file.dice.integer(2, 3)));
+  if (file.dice.chance(0.3)) file.number("support_radius", file.dice.between(1.5, 5.0));
 }
 
 void write_points(CaseWriter& file, const Size& size) {
-  if (file.chance(0.9)) {
-    file.whole("points_per_element", static_cast<std::uint64_t>(file.integer(1, 8)));
+  if (file.dice.chance(0.9)) {
+    file.whole("points_per_element", static_cast<std::uint64_t>(file.dice.integer(1, 8)));
   }
-  if (file.chance(0.8)) {
+  if (file.dice.chance(0.8)) {
     const auto placement = file.one_of(placements);
     file.word("placement", placement);
-    if (placement == "jittered" && file.given()) file.number("jitter", file.between(0.0, 1.0));
+    if (placement == "jittered" && file.given()) file.number("jitter", file.dice.between(0.0, 1.0));
   }
-  if (!file.chance(0.25)) return;
-  const int width = file.integer(1, 3);
-  const int first = file.integer(2, size.elements - 3 - width);
+  if (!file.dice.chance(0.25)) return;
+  const int width = file.dice.integer(1, 3);
+  const int first = file.dice.integer(2, size.elements - 3 - width);
   std::string places;
   for (int k = 0; k < width; ++k) {
     places += fmt::format("{}{:e}", k == 0 ? "" : ", ", (first + k + 0.5) * size.spacing());
@@ -186,29 +171,29 @@ void write_time(CaseWriter& file, Family family, double end) {
   file.section("time");
   file.number("end", end);
   file.word("courant", "auto");
-  const double draw = file.between(0.0, 1.0);
+  const double draw = file.dice.between(0.0, 1.0);
   if (family == Family::staggered) {
     if (draw < 0.5) file.whole("time_order", 4);
   } else if (family != Family::apic && draw < 0.2) {
     if (draw < 0.1) {
-      file.whole("xpic_order", static_cast<std::uint64_t>(file.integer(1, 5)));
+      file.whole("xpic_order", static_cast<std::uint64_t>(file.dice.integer(1, 5)));
     } else {
-      file.number("flip", file.between(0.0, 1.0));
+      file.number("flip", file.dice.between(0.0, 1.0));
     }
   }
-  if (family != Family::staggered && file.chance(0.1)) file.word("path", "points");
+  if (family != Family::staggered && file.dice.chance(0.1)) file.word("path", "points");
 }
 
 }  // namespace
 
 std::string random_case(std::uint64_t number) {
-  CaseWriter file(number);
+  CaseWriter file{Dice(number)};
   const Material material = write_material(file);
   const Size size = choose_size(file, material);
   write_column_and_load(file, material, size);
   file.section("discretization");
   file.whole("elements", static_cast<std::uint64_t>(size.elements));
-  const Family family = family_of(file.between(0.0, 1.0));
+  const Family family = family_of(file.dice.between(0.0, 1.0));
   switch (family) {
     case Family::mls:
       write_mls(file);
@@ -226,7 +211,7 @@ std::string random_case(std::uint64_t number) {
   write_points(file, size);
   file.whole("seed", number);
   write_time(file, family, size.end);
-  return file.text();
+  return file.text;
 }
 
 }  // namespace porowave::verification

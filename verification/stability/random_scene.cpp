@@ -2,33 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <random>
+#include "verification/stability/dice.hpp"
 
 namespace porowave::verification {
 
 namespace {
 
 using namespace solver;
-
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : generator_(seed) {}
-  /// Even in [low, high); from the upper bits, the same everywhere.
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(generator_() >> 11) * 0x1p-53;
-  }
-  double log_between(double low, double high) {
-    return std::exp(between(std::log(low), std::log(high)));
-  }
-  int integer(int first, int last) {
-    return first + static_cast<int>(between(0.0, last - first + 1.0));
-  }
-  bool chance(double share) { return between(0.0, 1.0) < share; }
-
- private:
-  std::mt19937_64 generator_;
-};
 
 void choose_problem(Dice& dice, Problem& problem) {
   Material& m = problem.material;
