@@ -6,7 +6,7 @@ usage() {
   cat <<'END'
 Usage: install-deps.sh [--dev] [--package] [--check]
 Installs what is missing on Debian 12 to build, test and run porowave.
-  --dev      also what developers use: clang, clang-format, clang-tidy, shellcheck, valgrind
+  --dev      also what developers use: clang and its OpenMP, clang-format, clang-tidy, shellcheck, valgrind
   --package  also what cpack needs to make the .deb
   --check    install nothing; name what is missing, exit 1 if something is
 Exit codes: 0 all there; 1 --check found something missing; 2 wrong usage; 5 cannot install.
@@ -17,16 +17,15 @@ say() { echo "install-deps: $*"; }
 fail() { say "$@" >&2; exit 5; }
 
 packages=(g++ cmake make pkg-config libeigen3-dev libgsl-dev libfftw3-dev libboost-dev
-          libboost-test-dev libbenchmark-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev
-          libfmt-dev libsqlite3-dev
-          fonts-dejavu-core)
+          libboost-test-dev librapidcheck-dev libbenchmark-dev libtomlplusplus-dev
+          libcli11-dev nlohmann-json3-dev libfmt-dev libsqlite3-dev fonts-dejavu-core)
 # gnuplot-nox would replace gnuplot-qt or gnuplot-x11, and any of them will do.
 command -v gnuplot >/dev/null || packages+=(gnuplot-nox)
 
 check=no
 for option in "$@"; do
   case $option in
-    --dev) packages+=(clang clang-14 libclang-rt-14-dev clang-format-14 clang-tidy
+    --dev) packages+=(clang clang-14 libclang-rt-14-dev libomp-14-dev clang-format-14 clang-tidy
                      shellcheck valgrind) ;;
     --package) packages+=(dpkg-dev file) ;;  # cpack finds the .deb's dependencies with them
     --check) check=yes ;;
