@@ -10,8 +10,10 @@
 #include "reports/commands/commands.hpp"
 #include "reports/output_file.hpp"
 #include "reports/progress.hpp"
+#include "reports/seed_figure.hpp"
 #include "reports/stability_figures.hpp"
 #include "reports/stability_map_figure.hpp"
+#include "verification/stability/seed_distribution.hpp"
 #include "verification/stability/stability_map.hpp"
 #include "verification/stability/stability_output.hpp"
 
@@ -70,6 +72,26 @@ void print_counts(const std::vector<verification::MappedStability>& map, double 
       map.size(), seconds, stable, highest, unstable, below, refused);
 }
 
+/// What the map of a study with seeds becomes: their distribution.
+void write_seeds(const verification::Study& study,
+                 const std::vector<verification::MappedStability>& map,
+                 const StabilityOptions& options) {
+  const auto found = verification::seed_distributions(study, map);
+  const auto table = std::filesystem::path(options.output) / "stability_seeds.csv";
+  write_file(table, [&](std::ostream& out) { verification::write_seed_csv(study, found, out); });
+  fmt::print("wrote {}\n", table.string());
+  if (found.size() > most_seed_curves) {
+    fmt::print(
+        "no picture: {} combinations of the other axes, more than the {} curves that can be "
+        "told apart\n",
+        found.size(), most_seed_curves);
+    return;
+  }
+  for (const auto& file : draw(seed_figure(study, found, options.highest), options.output)) {
+    fmt::print("wrote {}\n", file.string());
+  }
+}
+
 int run_map(const StabilityOptions& options) {
   if (options.output.empty() || options.check) {
     throw InputError("stability: a study needs --output DIR, and has no --check");
@@ -87,6 +109,10 @@ int run_map(const StabilityOptions& options) {
   const auto table = std::filesystem::path(options.output) / "stability_map.csv";
   write_file(table, [&](std::ostream& out) { verification::write_map_csv(study, map, out); });
   fmt::print("wrote {}\n", table.string());
+  if (study.seed && study.axes[*study.seed].values.size() > 1) {
+    write_seeds(study, map, options);
+    return 0;
+  }
   for (const auto& file : draw(stability_map_figure(study, map), options.output)) {
     fmt::print("wrote {}\n", file.string());
   }
@@ -123,9 +149,11 @@ void add_stability_command(CLI::App& program, Command& run) {
       "stability",
       "Critical time step of a case and how fast noise grows at its own, or a map of a study");
   command->add_option("case", options->scene, "Case file (TOML), or a study")->required();
-  command->add_option("--output", options->output,
-                      "Directory for growth.csv, mode.csv (the fastest-growing mode against x) "
-                      "and a figure of both; of a study, stability_map.csv and a figure");
+  command->add_option(
+      "--output", options->output,
+      "Directory for growth.csv, mode.csv (the fastest-growing mode against x) "
+      "and a figure of both; of a study, stability_map.csv and a figure, with an axis of "
+      "seeds stability_seeds.csv, the distribution over them");
   command
       ->add_option("--growth", options->limit,
                    "Growth a step from which on a time step counts as unstable (0.001: noise "

@@ -37,6 +37,10 @@ std::string in_quotes(const std::string& text) {
 
 }  // namespace
 
+std::string in_csv(const std::string& text) {
+  return text.find_first_of(",\"\n") == std::string::npos ? text : in_quotes(text);
+}
+
 std::string plain_text(const TomlValue& value) {
   const auto* word = std::get_if<std::string>(&value.value);
   return word != nullptr ? *word : value.text();
@@ -80,8 +84,7 @@ void write_map_csv(const Study& study, const std::vector<MappedStability>& map, 
          "refused\n";
   for (std::size_t i = 0; i < map.size(); ++i) {
     for (const TomlValue& value : study.cases[i].coordinates) {
-      const std::string text = plain_text(value);
-      out << (text.find_first_of(",\"\n") == std::string::npos ? text : in_quotes(text)) << ',';
+      out << in_csv(plain_text(value)) << ',';
     }
     const MappedStability& one = map[i];
     if (!one.refused.empty()) {

@@ -30,6 +30,9 @@ std::vector<MappedStability> stability_map(const Study& study,
 /// 0 if none), refused (the reason, in quotes; then the rest is empty).
 void write_map_csv(const Study& study, const std::vector<MappedStability>& map, std::ostream& out);
 
+/// A text as one field of a CSV line: in quotes where it must be.
+std::string in_csv(const std::string& text);
+
 /// The value of an axis for people and tables: words without their quotes.
 std::string plain_text(const TomlValue& value);
 
