@@ -80,7 +80,7 @@ ReportFigure profiles(const Runs& runs, const StudyReport& study, const std::str
   std::string claim =
       "Profiles at the material points over the reference, each at the end of its run; dashed: how "
       "far the beginning of the load has got with the fast wave (P1) and with the slow one (P2)";
-  std::string separator = ". ";
+  std::string separator = ". From the top: ";
   for (const FinishedRun* run : runs) {
     const auto& end = run->history.frames.back().snapshot;
     auto fronts = fronts_at(run->plan.scene.problem, end.time);

@@ -151,6 +151,13 @@ BOOST_AUTO_TEST_CASE(the_bounds_on_number_and_time_hold_and_are_named) {
   BOOST_REQUIRE(plan.notes.size() == 1u);
   BOOST_TEST(contains(plan.notes[0], "beyond --run-seconds 20"));
   BOOST_TEST(contains(plan.notes[0], "--run-seconds 3601"));
+  // Either would fit alone.
+  for (const std::size_t row : {1u, 2u}) content.studies[0].table.rows[row].cpu_seconds = 12.0;
+  plan = plan_runs(content);
+  BOOST_TEST(plan.runs.size() == 1u);
+  BOOST_TEST((plan.runs[0].chosen.role == RunRole::best_finest));
+  content.options.run_seconds = 25.0;
+  BOOST_TEST(plan_runs(content).runs.size() == 2u);
   content.options.runs = 0;
   BOOST_TEST(plan_runs(content).runs.empty());
 }
@@ -180,6 +187,10 @@ BOOST_AUTO_TEST_CASE(the_largest_error_is_found_with_the_wave_next_to_it) {
   BOOST_REQUIRE(found.nearest.has_value());
   BOOST_TEST(found.nearest->fast);
   BOOST_TEST(found.nearest->cells == (fast - found.x) / 1e-3, tt::tolerance(1e-9));
+  const double slow = wave_speeds(scene.problem.material).p2 * middle.snapshot.time;
+  middle.snapshot.effective_stress[static_cast<std::size_t>(slow / 1e-3)] += 0.8;
+  BOOST_TEST(!largest_error(history).nearest->fast);
+  BOOST_TEST(largest_error(history).nearest->cells <= 0.5);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
