@@ -44,6 +44,10 @@ void add_report_command(CLI::App& program, Command& run) {
       ->add_option("--run-seconds", options->run_seconds,
                    "CPU time for that, s, by a guess from the store (20)")
       ->check(CLI::Range(0.0, 1e6));
+  command
+      ->add_option("--map-seconds", options->map_seconds,
+                   "CPU time for maps of critical time steps, s, by a guess (5; 0: none)")
+      ->check(CLI::Range(0.0, 1e6));
   command->footer(
       "Writes index.html (verdicts, figures, tables; needs no server and no network), summary.md\n"
       "for a pull request, every figure as SVG, PDF and PNG with its script and data, and every\n"

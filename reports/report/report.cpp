@@ -3,6 +3,7 @@
 #include "reports/junit.hpp"
 #include "reports/output_file.hpp"
 #include "reports/progress.hpp"
+#include "reports/report/critical_map.hpp"
 #include "reports/report/page.hpp"
 #include "reports/report/parallel.hpp"
 #include "reports/report/run_sections.hpp"
@@ -39,11 +40,12 @@ std::vector<fs::path> draw_all(const std::vector<const Figure*>& figures, const 
 std::vector<fs::path> write_report(const ReportOptions& options) {
   ReportContent content = read_report(options);
   const bool runs = options.runs > 0 && !content.studies.empty();
-  if (runs || !all_figures(content).empty()) require_gnuplot();
+  if (runs || options.map_seconds > 0.0 || !all_figures(content).empty()) require_gnuplot();
   if (!options.junit.empty()) require_writable(options.junit);
   const fs::path output = options.output;
   make_output_directory(output);
   if (runs) add_runs(content);
+  if (options.map_seconds > 0.0) add_critical_maps(content);
   const auto figures = all_figures(content);
   std::vector<fs::path> files = draw_all(figures, output);
   const auto write = [&](const std::string& name, const std::string& text) {

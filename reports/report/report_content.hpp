@@ -24,6 +24,7 @@ struct ReportOptions {
   std::string junit;            ///< file for the verdicts as JUnit XML; empty: none
   double floor_seconds = 20.0;  ///< of CPU to find causes of floors, by a guess from the store
   int runs = 8;                 ///< cases that are run again for pictures of their fields, at most
+  double map_seconds = 5.0;     ///< of CPU for maps of critical steps, by a guess; 0: none
   double run_seconds = 20.0;    ///< of CPU for that, by a guess (run_plan.hpp)
 };
 

@@ -36,14 +36,6 @@ std::vector<Candidate> candidates_of(const ReportContent& content) {
   return all;
 }
 
-/// "porowave report results --output report --runs 16".
-std::string report_command(const ReportOptions& options, const std::string& rest) {
-  std::string command = fmt::format("porowave report {} --output {}", shell_word(options.store),
-                                    shell_word(options.output));
-  if (!options.study.empty()) command += " --study " + shell_word(options.study);
-  return command + " " + rest;
-}
-
 class Planner {
  public:
   explicit Planner(const ReportContent& content) : content_(content) {}
@@ -124,6 +116,13 @@ double guessed_seconds(const solver::Case& scene, const verification::Record& ro
   constexpr double seconds_per_frame = 5e-3;
   const double run = std::isfinite(row.cpu_seconds) ? row.cpu_seconds : 0.0;
   return std::max(run, verification::predicted_seconds(scene)) + frames_of_run * seconds_per_frame;
+}
+
+std::string report_command(const ReportOptions& options, const std::string& rest) {
+  std::string command = fmt::format("porowave report {} --output {}", shell_word(options.store),
+                                    shell_word(options.output));
+  if (!options.study.empty()) command += " --study " + shell_word(options.study);
+  return command + " " + rest;
 }
 
 RunPlan plan_runs(const ReportContent& content) {

@@ -10,7 +10,7 @@
 namespace porowave::reports {
 
 /// Times at which a run is looked at.
-inline constexpr int frames_of_run = 80;
+inline constexpr int frames_of_run = 64;
 
 struct PlannedRun {
   std::size_t study;
@@ -31,5 +31,8 @@ RunPlan plan_runs(const ReportContent& content);
 
 /// The guess: CPU time of a run and of the reference at frames_of_run times, s.
 double guessed_seconds(const solver::Case& scene, const verification::Record& row);
+
+/// "porowave report results --output report REST".
+std::string report_command(const ReportOptions& options, const std::string& rest);
 
 }  // namespace porowave::reports
