@@ -11,7 +11,7 @@ namespace porowave::reports {
 namespace {
 
 // More columns than pixels only make the picture heavy.
-constexpr std::size_t most_columns = 250;
+constexpr std::size_t most_cells_across = 250;
 
 // Smaller errors have no colour of their own; the largest are at the fronts.
 constexpr double least_error = 1e-6;
@@ -100,7 +100,7 @@ Figure space_time_figure(const std::string& name, const std::string& caption,
       "# x (m), t (s), effective stress, pore pressure over the load, log10 of their errors over "
       "it\n";
   const std::size_t cells = history.frames.front().reference.size();
-  const std::size_t stride = 1 + (cells - 1) / most_columns;
+  const std::size_t stride = 1 + (cells - 1) / most_cells_across;
   for (const auto& frame : history.frames) {
     const solver::Snapshot& now = frame.snapshot;
     for (std::size_t c = stride / 2; c < cells; c += stride) {

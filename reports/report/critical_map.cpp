@@ -76,8 +76,8 @@ std::string scene_name(const verification::Study& study, const verification::Stu
   return name;
 }
 
-std::string claim_of(const verification::Study& study,
-                     const std::vector<verification::MappedStability>& map) {
+std::string claim_of_map(const verification::Study& study,
+                         const std::vector<verification::MappedStability>& map) {
   std::size_t above = 0;
   std::size_t stable = 0;
   std::optional<std::size_t> lowest;
@@ -110,7 +110,7 @@ RunSection section_of(const verification::Study& study, const std::string& prefi
   Figure figure = stability_map_figure(study, map);
   figure.name = prefix + "stability_map";
   figure.as_pdf = true;
-  const std::string claim = claim_of(study, map);
+  const std::string claim = claim_of_map(study, map);
   return {"Stability", {}, {{figure, "", claim, "A table of colours. " + claim}}};
 }
 
