@@ -190,8 +190,9 @@ std::vector<std::filesystem::path> run_demo(const std::filesystem::path& directo
     std::vector<ProfileRow> rows;
     for (const PlannedRow& row : planned.rows) {
       const auto profile = verification::reference_profile(row.scene);
-      rows.push_back({row.title, row.scene, run_soundly(row.scene, *profile)});
-      table += table_row(planned.name, row.title, row.scene, rows.back().run);
+      const auto run = run_soundly(row.scene, *profile);
+      rows.push_back({row.title, row.scene, run.snapshot});
+      table += table_row(planned.name, row.title, row.scene, run);
       progress.done_one();
     }
     append(files, draw(profile_figure(planned.name, planned.caption, rows), directory));

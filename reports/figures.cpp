@@ -35,7 +35,7 @@ std::string reference_block(const ProfileRow& row, const std::vector<double>& fr
                             Extent& stress, Extent& pressure) {
   const reference::ColumnSolution solution(row.scene.problem);
   const double end = solver::ColumnSolver::grid_length(row.scene);
-  const reference::Profile profile(solution, row.run.snapshot.time, end);
+  const reference::Profile profile(solution, row.snapshot.time, end);
   const double q = row.scene.problem.stress_scale();
   std::vector<double> x;
   for (int i = 0; i < reference_points; ++i) x.push_back(end * i / (reference_points - 1.0));
@@ -55,25 +55,58 @@ std::string reference_block(const ProfileRow& row, const std::vector<double>& fr
   return block;
 }
 
-std::string points_block(const solver::PhasePoints& points, double q, Extent& extent) {
-  std::vector<std::size_t> order(points.x.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+/// Points with a finite value from left to right, or the lowest and highest of each part.
+std::vector<std::size_t> drawn_points(const solver::PhasePoints& points, std::size_t most) {
+  std::vector<std::size_t> order;
+  for (std::size_t p = 0; p < points.x.size(); ++p) {
+    if (std::isfinite(points.stress[p])) order.push_back(p);
+  }
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return points.x[a] < points.x[b]; });
+  if (order.size() <= most) return order;
+  const double end = points.x[order.back()];
+  const auto parts = static_cast<double>(most / 2);
+  const auto part = [&](std::size_t p) { return std::floor(parts * points.x[p] / end); };
+  std::vector<std::size_t> kept;
+  for (auto begin = order.begin(); begin != order.end();) {
+    const auto next =
+        std::find_if(begin, order.end(), [&](std::size_t p) { return part(p) != part(*begin); });
+    const auto [low, high] = std::minmax_element(begin, next, [&](std::size_t a, std::size_t b) {
+      return points.stress[a] < points.stress[b];
+    });
+    kept.push_back(*std::min(low, high));
+    if (low != high) kept.push_back(*std::max(low, high));
+    begin = next;
+  }
+  return kept;
+}
+
+std::string points_block(const solver::PhasePoints& points, double q, std::size_t most,
+                         Extent& extent) {
   std::string block;
-  for (const std::size_t p : order) {
-    if (!std::isfinite(points.stress[p])) continue;
+  for (const std::size_t p : drawn_points(points, most)) {
     extent.see(points.stress[p] / q);
     block += fmt::format("{:.10g} {:.10g}\n", points.x[p], points.stress[p] / q);
   }
   return block;
 }
 
+/// Begin and end of every empty element, m.
+std::string gap_text(const solver::Case& scene) {
+  const double h = solver::ColumnSolver::grid_length(scene) / scene.discretization.elements;
+  std::string text;
+  for (const double inside : scene.discretization.empty_elements) {
+    const double begin = std::floor(inside / h) * h;
+    text += fmt::format("{:#.10g} {:#.10g} ", begin, begin + h);
+  }
+  return text;
+}
+
 /// Fronts inside the column; those that are too weak to see stay unmarked.
 std::vector<double> visible_fronts(const ProfileRow& row) {
   constexpr double visible = 0.01;
   const reference::ColumnSolution solution(row.scene.problem);
-  const double t = row.run.snapshot.time;
+  const double t = row.snapshot.time;
   const double end = solver::ColumnSolver::grid_length(row.scene);
   std::vector<double> fronts;
   for (const double x : solution.fronts(t)) {
@@ -109,31 +142,36 @@ Figure profile_figure(const std::string& name, const std::string& caption,
   for (const ProfileRow& row : rows) {
     ++number;
     const double q = row.scene.problem.stress_scale();
-    const auto fronts = visible_fronts(row);
+    const auto jumps = visible_fronts(row);
+    std::vector<double> fronts = row.fronts ? std::vector<double>() : jumps;
+    std::string waves;
+    for (const WaveFront& front : row.fronts.value_or(std::vector<WaveFront>())) {
+      fronts.push_back(front.x);
+      waves += front.fast ? "P1 " : "P2 ";
+    }
     figure.texts.emplace_back(fmt::format("row{}", number), row.title);
     figure.texts.emplace_back(fmt::format("fronts{}", number),
                               fmt::format("{:#.10g}", fmt::join(fronts, " ")));
+    figure.texts.emplace_back(fmt::format("waves{}", number), waves);
+    figure.texts.emplace_back(fmt::format("gaps{}", number), gap_text(row.scene));
     figure.data += fmt::format("# {}: reference: x (m), effective stress/q, pore pressure/q\n",
                                one_line(row.title));
-    figure.data += reference_block(row, fronts, stress, pressure);
+    figure.data += reference_block(row, jumps, stress, pressure);
     figure.data += "\n\n# solid points: x (m), effective stress/q\n";
-    figure.data += points_block(row.run.snapshot.solid, q, stress_points);
+    figure.data += points_block(row.snapshot.solid, q, row.most_points, stress_points);
     figure.data += "\n\n# fluid points: x (m), pore pressure/q\n";
-    figure.data += points_block(row.run.snapshot.fluid, q, pressure_points) + "\n\n";
+    figure.data += points_block(row.snapshot.fluid, q, row.most_points, pressure_points) + "\n\n";
   }
-  const solver::Case& scene = rows.front().scene;
-  const double end = solver::ColumnSolver::grid_length(scene);
-  const double h = end / scene.discretization.elements;
-  const auto& empty = scene.discretization.empty_elements;
-  const double gap = empty.empty() ? 0.0 : std::floor(empty.front() / h) * h;
+  double end = 0.0;
+  for (const ProfileRow& row : rows) {
+    end = std::max(end, solver::ColumnSolver::grid_length(row.scene));
+  }
   const auto text = [&](const char* variable, const std::string& value) {
     figure.texts.emplace_back(variable, value);
   };
   text("caption", caption);
   text("rows", fmt::format("{}", rows.size()));
   text("x_end", fmt::format("{:#.10g}", end));
-  text("gap_begin", empty.empty() ? "" : fmt::format("{:#.10g}", gap));
-  text("gap_end", empty.empty() ? "" : fmt::format("{:#.10g}", gap + h));
   const auto [stress_low, stress_high] = axis(stress, stress_points);
   const auto [pressure_low, pressure_high] = axis(pressure, pressure_points);
   text("stress_low", stress_low);

@@ -154,4 +154,16 @@ BOOST_AUTO_TEST_CASE(a_gnuplot_that_fails_is_noticed) {
   BOOST_TEST(folder.contents() == "");
 }
 
+// The table of offsets at the end of a PDF counts bytes, so none may move.
+BOOST_AUTO_TEST_CASE(dates_of_a_pdf_become_spaces) {
+  const std::string before = "12 0 obj\n<< /Producer (cairo)\n   ";
+  const std::string after = "\n>>\nendobj\nxref";
+  const std::string date = "/CreationDate (D:20261122181953+01'00)";
+  BOOST_TEST(pdf_without_date(before + date + after) ==
+             before + std::string(date.size(), ' ') + after);
+  BOOST_TEST(pdf_without_date(before + after) == before + after);
+  BOOST_TEST(pdf_without_date("/CreationDate (D:2026") == "/CreationDate (D:2026");
+  BOOST_TEST(pdf_without_date("") == "");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

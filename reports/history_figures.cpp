@@ -10,6 +10,9 @@ namespace porowave::reports {
 
 namespace {
 
+// More columns than pixels only make the picture heavy.
+constexpr std::size_t most_cells_across = 250;
+
 // Smaller errors have no colour of their own; the largest are at the fronts.
 constexpr double least_error = 1e-6;
 
@@ -45,11 +48,11 @@ Values common_texts(const std::string& caption, const RunHistory& history) {
 /// The largest size of a field of the reference over the load, at all frames; 1 at least.
 template <class Member>
 double largest(const RunHistory& history, Member field) {
-  double found = history.scene.problem.load.magnitude();
+  double found = history.scene.problem.stress_scale();
   for (const auto& frame : history.frames) {
     for (const Fields& fields : frame.reference) found = std::max(found, std::abs(fields.*field));
   }
-  return found / history.scene.problem.load.magnitude();
+  return found / history.scene.problem.stress_scale();
 }
 
 std::string way_block(const std::vector<Characteristic>& ways, bool fast) {
@@ -88,7 +91,7 @@ std::string error_text(double value, double reference, double load) {
 
 Figure space_time_figure(const std::string& name, const std::string& caption,
                          const RunHistory& history) {
-  const double load = history.scene.problem.load.magnitude();
+  const double load = history.scene.problem.stress_scale();
   Figure figure{name, "space_time", common_texts(caption, history), ""};
   figure.texts.emplace_back("stress_high", real_text(largest(history, &Fields::effective_stress)));
   figure.texts.emplace_back("pressure_high", real_text(largest(history, &Fields::pore_pressure)));
@@ -96,9 +99,11 @@ Figure space_time_figure(const std::string& name, const std::string& caption,
   figure.data =
       "# x (m), t (s), effective stress, pore pressure over the load, log10 of their errors over "
       "it\n";
+  const std::size_t cells = history.frames.front().reference.size();
+  const std::size_t stride = 1 + (cells - 1) / most_cells_across;
   for (const auto& frame : history.frames) {
     const solver::Snapshot& now = frame.snapshot;
-    for (std::size_t c = 0; c < frame.reference.size(); ++c) {
+    for (std::size_t c = stride / 2; c < cells; c += stride) {
       figure.data += fmt::format(
           "{:.8g} {:.8g} {:.4e} {:.4e} {} {}\n", now.cell_x[c], now.time,
           now.effective_stress[c] / load, now.pore_pressure[c] / load,
@@ -114,7 +119,7 @@ Figure space_time_figure(const std::string& name, const std::string& caption,
 
 Figure animation_figure(const std::string& name, const std::string& caption,
                         const RunHistory& history) {
-  const double load = history.scene.problem.load.magnitude();
+  const double load = history.scene.problem.stress_scale();
   Figure figure{name, "animation", common_texts(caption, history), ""};
   figure.animated = true;
   figure.texts.emplace_back("high", real_text(std::max(largest(history, &Fields::effective_stress),

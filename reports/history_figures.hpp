@@ -9,7 +9,7 @@ namespace porowave::reports {
 
 /// Effective stress and pore pressure as colours over x and t, above the size of their errors, with
 /// the ways of both waves drawn over them and empty elements shaded. For a history of 2 frames or
-/// more on a column that ends.
+/// more. Of more than 250 cells every second, third, ... is drawn.
 Figure space_time_figure(const std::string& name, const std::string& caption,
                          const RunHistory& history);
 

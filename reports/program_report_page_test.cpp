@@ -43,12 +43,16 @@ bool has_browser() {
   return false;
 }
 
-/// The report of a study with nasty names, one broken case, and a study of 250 groups.
+/// The report of a study with nasty names, one broken case, a study of 250 groups, and one of cases
+/// that can be run again.
 void make_report() {
   auto rows = full_study(nasty_name());
   rows[0] = broken(rows[0]);
   for (int i = 0; i < 250; ++i) {
     rows.push_back(row({"bspline1", 1.0 + 0.001 * i}, 0.1 + i, "wide"));
+  }
+  for (const int elements : {25, 50}) {
+    rows.push_back(runnable_row(elements, 5.0 / elements, "kernel = \"bspline2\"", 0.5, "x runs"));
   }
   Store::create_or_open((report() / "results").string()).add(rows);
   const auto result = run_porowave({"report", "results", "--output", "."}, report().path());
@@ -136,6 +140,12 @@ BOOST_AUTO_TEST_CASE(a_reader_sorts_filters_and_opens_a_case) {
     form.requestSubmit();
     check('found by its id', dialog.open && one('h2', dialog).textContent === 'Case ' + id);
     check('no element of a name', one('main b') === null);
+    const runs = all('#runs figure');
+    check('figures of runs: ' + runs.length, runs.length === 4);
+    check('with texts', runs.every(figure => one('img', figure).alt.length > 80 &&
+      one('figcaption', figure).textContent.length > 80));
+    check('what could not be run is said', one('#runs').textContent.includes('cannot run it'));
+    check('its names are texts', one('#runs b') === null);
     check('name in full', one('h1').textContent.includes('</scr' + 'ipt> \\n {x_1^2}'));
     check('nothing from a network', performance.getEntriesByType('resource')
       .every(entry => entry.name.startsWith('data:') || entry.name.startsWith('file:')));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reference/fronts.hpp"
+#include "reference/problem/errors.hpp"
 #include "reference/problem/problem_fixtures.hpp"
 #include "verification/run.hpp"
 
@@ -107,6 +108,63 @@ BOOST_AUTO_TEST_CASE(characteristics_pass_where_the_fronts_of_the_reference_are)
       }
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(both_fronts_stand_at_speed_times_time) {
+  const Problem problem = fixtures::paper_problem();
+  const auto speeds = wave_speeds(problem.material);
+  const double t = 2e-5;
+  const auto fronts = reports::fronts_at(problem, t);
+  BOOST_TEST_REQUIRE(fronts.size() == 2u);
+  BOOST_TEST(fronts[0].x == speeds.p2 * t, tt::tolerance(1e-12));
+  BOOST_TEST(!fronts[0].fast);
+  BOOST_TEST(fronts[1].x == speeds.p1 * t, tt::tolerance(1e-12));
+  BOOST_TEST(fronts[1].fast);
+  // After the fast wave's reflection at 0.1 m.
+  const double later = 0.15 / speeds.p1;
+  const auto back = reports::fronts_at(problem, later);
+  BOOST_TEST_REQUIRE(back.size() == 2u);
+  BOOST_TEST(back[0].x == 0.05, tt::tolerance(1e-9));
+  BOOST_TEST(back[0].fast);
+}
+
+BOOST_AUTO_TEST_CASE(a_watched_run_is_the_run_or_ends_before_its_breakdown) {
+  solver::Case scene = scene_of(40);
+  const auto plain = reports::run_history(scene, 7);
+  const auto watched = reports::watched_run(scene, 7);
+  BOOST_TEST(!watched.breakdown.has_value());
+  BOOST_TEST_REQUIRE(watched.frames.size() == 7u);
+  const auto& end = watched.frames.back().snapshot;
+  BOOST_TEST(end.solid.stress == plain.frames.back().snapshot.solid.stress, tt::per_element());
+  BOOST_TEST(
+      watched.frames[3].snapshot.effective_stress == plain.frames[3].snapshot.effective_stress,
+      tt::per_element());
+  BOOST_TEST(watched.frames[3].snapshot.solid.x.empty());
+  BOOST_TEST(reports::watched_run(scene_of(4), 1000).frames.size() ==
+             static_cast<std::size_t>(solver::ColumnSolver(scene_of(4)).planned_steps()));
+
+  scene = scene_of(200);
+  scene.discretization.transfer = solver::TransferName::shape;
+  scene.time.courant = 1.0;  // stable to 0.71
+  const auto broken = reports::watched_run(scene, 50);
+  BOOST_TEST_REQUIRE(broken.breakdown.has_value());
+  BOOST_TEST(broken.breakdown->step > 0);
+  BOOST_TEST_REQUIRE(!broken.frames.empty());
+  BOOST_TEST(broken.frames.size() < 50u);
+  const auto& last = broken.frames.back().snapshot;
+  BOOST_TEST(last.solid.x.size() == 800u);
+  for (const double value : last.effective_stress) BOOST_TEST(std::abs(value) < 20.0);
+  BOOST_CHECK_THROW(reports::run_history(scene, 50), BreakdownError);
+}
+
+BOOST_AUTO_TEST_CASE(the_fourth_order_scheme_is_watched_by_its_own_solver) {
+  solver::Case scene = scene_of(40);
+  scene.discretization.scheme = solver::Scheme::staggered4;
+  scene.discretization.basis_order = 3;
+  const auto run = verification::run_case(scene, *verification::reference_profile(scene));
+  const auto watched = reports::watched_run(scene, 5);
+  BOOST_TEST(watched.frames.back().snapshot.effective_stress == run.snapshot.effective_stress,
+             tt::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(a_half_space_reflects_nothing) {

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "reference/problem/errors.hpp"
 #include "verification/dispersion/dispersion.hpp"
+#include "verification/not_a_number.hpp"
 #include "verification/run.hpp"
 #include "verification/wave_measures/cosine_spectrum.hpp"
 
@@ -51,52 +53,92 @@ std::string dispersion_block(const Method& method) {
   return block;
 }
 
-std::string spectrum_block(const Method& method) {
+SpectrumPanel panel_of(const Method& method) {
   const auto profile = verification::reference_profile(method.scene);
   const auto run = verification::run_case(method.scene, *profile);
   if (run.breakdown) throw BreakdownError("error spectrum: " + run.breakdown->reason);
-  std::vector<double> reference, error;
+  const double load = method.scene.problem.stress_scale();
+  SpectrumPanel panel{method.name, {}, {}};
   for (std::size_t c = 0; c < run.snapshot.cell_x.size(); ++c) {
-    reference.push_back(profile->at(run.snapshot.cell_x[c]).effective_stress);
-    error.push_back(run.snapshot.effective_stress[c] - reference.back());
+    const double exact = profile->at(run.snapshot.cell_x[c]).effective_stress;
+    panel.reference.push_back(exact / load);
+    panel.error.push_back((run.snapshot.effective_stress[c] - exact) / load);
   }
-  const auto exact = verification::cosine_spectrum(reference, Places::cell_middles);
-  const auto wrong = verification::cosine_spectrum(error, Places::cell_middles);
-  const double load = method.scene.problem.load.magnitude();
-  const auto cells = static_cast<double>(error.size());
-  std::string block = fmt::format(
-      "# {}: cells in a wavelength, amplitude of effective stress and of its error\n", method.name);
-  // Energy of the wave a cos(pi k x/L) is a² n/2.
-  for (std::size_t k = 1; k < exact.size(); ++k) {
-    block += fmt::format("{:.6g} {:.6e} {:.6e}\n", 2.0 * cells / static_cast<double>(k),
-                         std::sqrt(2.0 * exact[k] / cells) / load,
-                         std::sqrt(2.0 * wrong[k] / cells) / load);
-  }
-  return block;
+  return panel;
 }
 
-template <class Block>
-Figure figure_of(const std::string& name, const std::string& drawn_by, const std::string& caption,
-                 std::span<const Method> methods, Block block) {
-  Figure figure{name, drawn_by, {{"caption", caption}}, ""};
-  figure.texts.emplace_back("count", std::to_string(methods.size()));
-  for (std::size_t k = 0; k < methods.size(); ++k) {
-    figure.texts.emplace_back(fmt::format("method{}", k + 1), methods[k].name);
-    figure.data += (k == 0 ? "" : "\n\n") + block(methods[k]);
+/// Amplitudes of the waves k = 0, 1, ...: energy of the wave a cos(pi k x/L) is a² n/2.
+std::vector<double> amplitudes(const std::vector<double>& values) {
+  auto spectrum = verification::cosine_spectrum(values, Places::cell_middles);
+  for (double& energy : spectrum) {
+    energy = std::sqrt(2.0 * energy / static_cast<double>(values.size()));
   }
-  return figure;
+  return spectrum;
+}
+
+std::string spectrum_block(const SpectrumPanel& panel) {
+  const auto exact = amplitudes(panel.reference);
+  const auto wrong = amplitudes(panel.error);
+  const auto cells = static_cast<double>(panel.error.size());
+  std::string title = panel.title;
+  std::replace(title.begin(), title.end(), '\n', ' ');
+  std::string block = fmt::format(
+      "# {}: cells in a wavelength, amplitude of effective stress and of its error\n", title);
+  for (std::size_t k = 1; k < exact.size(); ++k) {
+    block += fmt::format("{:.6g} {:.6e} {:.6e}\n", 2.0 * cells / static_cast<double>(k), exact[k],
+                         wrong[k]);
+  }
+  return block;
 }
 
 }  // namespace
 
 Figure dispersion_figure(const std::string& name, const std::string& caption,
                          std::span<const Method> methods) {
-  return figure_of(name, "dispersion", caption, methods, dispersion_block);
+  Figure figure{name, "dispersion", {{"caption", caption}}, ""};
+  figure.texts.emplace_back("count", std::to_string(methods.size()));
+  for (std::size_t k = 0; k < methods.size(); ++k) {
+    figure.texts.emplace_back(fmt::format("method{}", k + 1), methods[k].name);
+    figure.data += (k == 0 ? "" : "\n\n") + dispersion_block(methods[k]);
+  }
+  return figure;
+}
+
+Figure error_spectrum_figure(const std::string& name, const std::string& caption,
+                             std::span<const SpectrumPanel> panels) {
+  Figure figure{name, "error_spectrum", {{"caption", caption}}, ""};
+  figure.texts.emplace_back("count", std::to_string(panels.size()));
+  double longest = 4.0;
+  double highest = 1.0;
+  for (std::size_t k = 0; k < panels.size(); ++k) {
+    figure.texts.emplace_back(fmt::format("method{}", k + 1), panels[k].title);
+    figure.texts.emplace_back(fmt::format("detail{}", k + 1), panels[k].detail);
+    figure.data += (k == 0 ? "" : "\n\n") + spectrum_block(panels[k]);
+    longest = std::max(longest, 2.0 * static_cast<double>(panels[k].error.size()));
+    for (const double value : panels[k].error) highest = std::max(highest, std::abs(value));
+  }
+  figure.texts.emplace_back("longest", fmt::format("{:#.6g}", longest));
+  figure.texts.emplace_back("highest",
+                            fmt::format("{:#.6g}", std::pow(10.0, std::ceil(std::log10(highest)))));
+  return figure;
+}
+
+double median_wavelength(const SpectrumPanel& panel) {
+  const auto spectrum = verification::cosine_spectrum(panel.error, Places::cell_middles);
+  double all = 0.0;
+  for (const double energy : spectrum) all += energy;
+  if (!(all > 0.0)) return verification::nan;
+  double longer = 0.0;
+  std::size_t k = 0;
+  while (2.0 * (longer += spectrum[k]) < all && k + 1 < spectrum.size()) ++k;
+  return 2.0 * static_cast<double>(panel.error.size()) / static_cast<double>(k);
 }
 
 Figure error_spectrum_figure(const std::string& name, const std::string& caption,
                              std::span<const Method> methods) {
-  return figure_of(name, "error_spectrum", caption, methods, spectrum_block);
+  std::vector<SpectrumPanel> panels;
+  for (const Method& method : methods) panels.push_back(panel_of(method));
+  return error_spectrum_figure(name, caption, std::span<const SpectrumPanel>(panels));
 }
 
 }  // namespace porowave::reports

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include "reference/problem/problem_fixtures.hpp"
@@ -81,6 +83,26 @@ BOOST_AUTO_TEST_CASE(amplitudes_add_up_to_the_error) {
   const TestDirectory folder;
   draw(figure, folder.path());
   check_pictures(folder.path(), "spectrum");
+}
+
+// cos(pi k x/L) at the middles of n cells is one wave of 2 n/k cells.
+BOOST_AUTO_TEST_CASE(half_of_the_error_of_two_cosines) {
+  constexpr int n = 64;
+  const auto panel_of = [](double mean, double of_long, double of_short) {
+    SpectrumPanel panel{"two", std::vector<double>(n, 0.0), {}};
+    for (int c = 0; c < n; ++c) {
+      const double x = (c + 0.5) / n;
+      panel.error.push_back(mean + of_long * std::cos(8.0 * std::numbers::pi * x) +
+                            of_short * std::cos(32.0 * std::numbers::pi * x));
+    }
+    return panel;
+  };
+  BOOST_TEST(median_wavelength(panel_of(0.0, 1.1, 1.0)) == 16.0);
+  BOOST_TEST(median_wavelength(panel_of(0.0, 0.9, 1.0)) == 4.0);
+  // The mean counts twice as much as a wave of its amplitude, which is half of the time smaller.
+  BOOST_TEST(median_wavelength(panel_of(0.7, 1.05, 1.0)) == 16.0);
+  BOOST_TEST(std::isinf(median_wavelength(panel_of(2.0, 1.0, 1.0))));
+  BOOST_TEST(std::isnan(median_wavelength(panel_of(0.0, 0.0, 0.0))));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

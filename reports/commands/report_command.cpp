@@ -31,11 +31,29 @@ void add_report_command(CLI::App& program, Command& run) {
                       "Store of the same cases after a change: what got better or worse");
   command->add_option("--measure", options->measure,
                       "Error in the figures, effective_stress_field_l2 if absent");
+  command->add_option("--junit", options->junit, "File for the verdicts as JUnit XML");
+  command
+      ->add_option("--floor-seconds", options->floor_seconds,
+                   "CPU time to find out what makes floors, s, by a guess from the store (20)")
+      ->check(CLI::Range(0.0, 1e6));
+  command
+      ->add_option("--runs", options->runs,
+                   "Cases run again for pictures of their fields, at most (8; 0: none)")
+      ->check(CLI::Range(0, 1000));
+  command
+      ->add_option("--run-seconds", options->run_seconds,
+                   "CPU time for that, s, by a guess from the store (20)")
+      ->check(CLI::Range(0.0, 1e6));
+  command
+      ->add_option("--map-seconds", options->map_seconds,
+                   "CPU time for maps of critical time steps, s, by a guess (5; 0: none)")
+      ->check(CLI::Range(0.0, 1e6));
   command->footer(
       "Writes index.html (verdicts, figures, tables; needs no server and no network), summary.md\n"
       "for a pull request, every figure as SVG, PDF and PNG with its script and data, and every\n"
-      "table as CSV and LaTeX. Verdicts are those of porowave gate, which also runs cases to\n"
-      "explain floors. The exit code is 0 whatever the verdicts: porowave gate judges.\n"
+      "table as CSV and LaTeX. Some cases are run again for pictures of their fields. Verdicts "
+      "are\n"
+      "those of porowave gate; the exit code is 0 whatever they are: porowave gate judges.\n"
       "Example: porowave report results --output report");
   command->callback([options, &run] { run = [options] { return run_report(*options); }; });
 }

@@ -1,13 +1,18 @@
 # Two fields over x and t as colours (top) and their errors (bottom), with the ways of the fast wave
 # (full line) and of the slow one (dashed). Data blocks: x, t, stress, pressure, log10 of their
 # errors, an empty line between times; then the ways of either wave as pieces of lines.
-do for [kind in "svg png"] {
+do for [kind in kinds] {
   if (kind eq "svg") {
     set terminal svg size 960,760 dynamic enhanced font "DejaVu Sans,13" background "white"
-  } else {
+  }
+  if (kind eq "png") {
     set terminal pngcairo size 960,760 enhanced font "DejaVu Sans,10"
   }
+  if (kind eq "pdf") {
+    set terminal pdfcairo size (960)/96.0,(760)/96.0 enhanced font "DejaVu Sans,9.5"
+  }
   set output name.".".kind
+  scale = kind eq "svg" ? 1.25 : 1.0  # sizes are in pixels there
   set multiplot
   set xrange [0:real(x_end)]
   set yrange [0:real(t_end)*1e6]
@@ -24,7 +29,7 @@ do for [kind in "svg png"] {
     unset label
     unset object
     if (panel == 0) {
-      set label 1 caption at screen 0.5,0.972 center font ",15" noenhanced
+      set label 1 caption at screen 0.5,0.972 center font sprintf(",%g", 12*scale) noenhanced
       set label 2 "full line: fast wave (P1), dashed: slow wave (P2)" at screen 0.5,0.938 center
     }
     set label 3 (row == 0 ? (side == 0 ? "effective stress" : "pore pressure") \

@@ -7,11 +7,15 @@ left = 40+90*int(row_lines)
 below = 80+18*int(column_lines)
 width = left+nc*22+110
 high = 60+nr*22+below
-do for [kind in "svg png"] {
+do for [kind in kinds] {
   if (kind eq "svg") {
     set terminal svg size width,high dynamic enhanced font "DejaVu Sans,12" background "white"
-  } else {
+  }
+  if (kind eq "png") {
     set terminal pngcairo size width,high enhanced font "DejaVu Sans,9"
+  }
+  if (kind eq "pdf") {
+    set terminal pdfcairo size (width)/96.0,(high)/96.0 enhanced font "DejaVu Sans,8.5"
   }
   set output name.".".kind
   set lmargin at screen 1.0*left/width

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 
@@ -93,6 +94,21 @@ std::string name_on(const StudyTable& table, const std::vector<std::size_t>& axe
   at.reserve(axes.size());
   for (const std::size_t a : axes) at.push_back(group.at[a]);
   return axes.empty() ? "all cases" : described(table, axes, at);
+}
+
+std::string method_name(const StudyTable& table, std::size_t group, std::size_t level) {
+  std::string name;
+  for (std::size_t a = 0; a < table.axes.size(); ++a) {
+    if (table.axes[a].of_problem) continue;
+    const std::string value = table.value(table.groups[group], a);
+    const bool word = !value.empty() && std::isalpha(static_cast<unsigned char>(value[0])) != 0;
+    name += fmt::format("{}{}", name.empty() ? "" : ", ",
+                        word ? value : table.axes[a].title + " " + value);
+  }
+  const std::string& text = table.groups[group].levels[level].text;
+  if (text.empty()) return name;
+  const std::string key = table.refined_by.substr(table.refined_by.rfind('.') + 1);
+  return fmt::format("{}{}{} {}", name, name.empty() ? "" : ", ", text, key);
 }
 
 std::size_t place_on(const TableGroup& group, std::optional<std::size_t> axis) {

@@ -27,6 +27,9 @@ std::string described(const StudyTable& table, const std::vector<std::size_t>& a
 std::string name_on(const StudyTable& table, const std::vector<std::size_t>& axes,
                     const TableGroup& group);
 
+/// "bspline2, support_radius 3.0, 200 elements": a group and level without what is its problem.
+std::string method_name(const StudyTable& table, std::size_t group, std::size_t level);
+
 /// Value of a group on an axis that a figure may not have: then 0, "".
 std::size_t place_on(const TableGroup& group, std::optional<std::size_t> axis);
 std::size_t size_of(const StudyTable& table, std::optional<std::size_t> axis);

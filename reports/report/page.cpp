@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "reports/plot_templates.hpp"
+#include "reports/report/run_sections.hpp"
 #include "reports/report/summary.hpp"
 #include "reports/report/text_forms.hpp"
 
@@ -47,13 +48,40 @@ std::string figure_html(const ReportFigure& figure, const fs::path& directory) {
       "aria-label=\"Figure {0}\"><img alt=\"{1}\"{2} src=\"data:image/svg+xml;base64,{3}\"></div>\n"
       "<figcaption>{4} <span class=\"files\">",
       name, html_text(figure.alt), size_attributes(svg), base64(svg), html_text(figure.claim));
-  for (const auto& [ending, title] :
-       {std::pair("svg", "SVG"), std::pair("pdf", "PDF"), std::pair("png", "PNG"),
-        std::pair("gp", "script"), std::pair("csv", "data")}) {
+  for (const auto& [ending, title] : {std::pair("svg", "SVG"), std::pair("pdf", "PDF"),
+                                      std::pair("png", "PNG"), std::pair("gp", "script")}) {
     text +=
         fmt::format("<a href=\"{0}.{1}\" aria-label=\"{2} of {0}\">{2}</a> ", name, ending, title);
   }
+  text += fmt::format("<a href=\"{}\" aria-label=\"data of {}\">data</a> ",
+                      figure.figure.data_file(), name);
   return text + "</span></figcaption></figure>\n";
+}
+
+std::string notes_html(const std::vector<std::string>& notes) {
+  if (notes.empty()) return "";
+  std::string text = "<ul>";
+  for (const std::string& note : notes) text += fmt::format("<li>{}</li>", html_text(note));
+  return text + "</ul>\n";
+}
+
+std::string runs_html(const ReportContent& content, const fs::path& directory) {
+  std::string text;
+  for (const StudyReport& study : content.studies) {
+    const bool named = content.studies.size() > 1;
+    for (const RunSection& section : study.runs) {
+      text += fmt::format("<h3>{}{}</h3>\n",
+                          named ? html_text(study.table.study + ", ") : std::string(),
+                          html_text(section.heading));
+      text += notes_html(section.notes);
+      for (const ReportFigure& figure : section.figures) text += figure_html(figure, directory);
+    }
+  }
+  if (text.empty() && content.run_notes.empty()) {
+    text = "<p>None: no case to choose, or --runs 0.</p>\n";
+  }
+  return fmt::format("<h2>Runs</h2>\n<p>{}</p>\n{}{}", html_text(rule_of_runs(content.options)),
+                     notes_html(content.run_notes), text);
 }
 
 std::string figures_html(const ReportContent& content, const fs::path& directory) {
@@ -155,11 +183,13 @@ std::string page_html(const ReportContent& content, const fs::path& directory) {
       "<header><h1>{}</h1><p>Report of the store <code>{}</code></p>\n"
       "<nav aria-label=\"Parts\"><a href=\"#verdicts\">Verdicts</a> <a "
       "href=\"#figures\">Figures</a> "
+      "<a href=\"#runs\">Runs</a> "
       "<a href=\"#tables\">Tables</a></nav></header>\n<main>\n",
       title, plot_template("page.css"), title, html_text(content.options.store));
   text += "<section>" + verdict_html(content) + tables_html(tables, true) + "</section>\n";
   if (!content.studies.empty()) {
     text += "<section id=\"figures\">" + figures_html(content, directory) + "</section>\n";
+    text += "<section id=\"runs\">" + runs_html(content, directory) + "</section>\n";
     text +=
         "<section id=\"tables\"><h2>Tables</h2>\n<form id=\"find\" class=\"script\"><label>Case "
         "by the beginning of its id <input name=\"id\" size=\"20\" "

@@ -1,9 +1,12 @@
 #include "reports/report/report.hpp"
 
+#include "reports/junit.hpp"
 #include "reports/output_file.hpp"
 #include "reports/progress.hpp"
+#include "reports/report/critical_map.hpp"
 #include "reports/report/page.hpp"
 #include "reports/report/parallel.hpp"
+#include "reports/report/run_sections.hpp"
 #include "reports/report/summary.hpp"
 
 namespace porowave::reports {
@@ -16,6 +19,9 @@ std::vector<const Figure*> all_figures(const ReportContent& content) {
   std::vector<const Figure*> figures;
   for (const StudyReport& study : content.studies) {
     for (const ReportFigure& figure : study.figures) figures.push_back(&figure.figure);
+    for (const RunSection& section : study.runs) {
+      for (const ReportFigure& figure : section.figures) figures.push_back(&figure.figure);
+    }
   }
   return figures;
 }
@@ -32,11 +38,15 @@ std::vector<fs::path> draw_all(const std::vector<const Figure*>& figures, const 
 }  // namespace
 
 std::vector<fs::path> write_report(const ReportOptions& options) {
-  const ReportContent content = read_report(options);
-  const auto figures = all_figures(content);
-  if (!figures.empty()) require_gnuplot();
+  ReportContent content = read_report(options);
+  const bool runs = options.runs > 0 && !content.studies.empty();
+  if (runs || options.map_seconds > 0.0 || !all_figures(content).empty()) require_gnuplot();
+  if (!options.junit.empty()) require_writable(options.junit);
   const fs::path output = options.output;
   make_output_directory(output);
+  if (runs) add_runs(content);
+  if (options.map_seconds > 0.0) add_critical_maps(content);
+  const auto figures = all_figures(content);
   std::vector<fs::path> files = draw_all(figures, output);
   const auto write = [&](const std::string& name, const std::string& text) {
     files.push_back(output / name);
@@ -49,6 +59,10 @@ std::vector<fs::path> write_report(const ReportOptions& options) {
   for (std::size_t s = 0; s < content.studies.size(); ++s) {
     const ResultTable cases = cases_table(content, s);
     write(cases.name + ".csv", as_csv(cases));
+  }
+  if (!options.junit.empty()) {
+    files.emplace_back(options.junit);
+    write_file(files.back(), junit_of(content.judged_study, *content.verdicts));
   }
   write("summary.md", summary_markdown(content));
   write("index.html", page_html(content, output));

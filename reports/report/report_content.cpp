@@ -4,8 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "reference/problem/errors.hpp"
+#include "verification/gate/floor_cause.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/store/store.hpp"
 
@@ -60,12 +62,50 @@ StudyReport study_report(StudyTable table, std::optional<std::size_t> chosen,
   for (const std::size_t measure : report.measures) {
     report.summaries.push_back(summaries_of(report.table, measure));
   }
+  report.prefix = prefix;
   report.figures = figures_of({report.table, report.summaries.front(), report.measure, prefix});
   return report;
 }
 
-/// What the study file says of the store, as `porowave gate` does (it alone runs cases to explain
-/// floors).
+/// Explains floors as the gate does, by running cases of the finest level again with other choices,
+/// as long as the guessed CPU time lasts.
+class FloorExplainer {
+ public:
+  FloorExplainer(const ReportOptions& options, const verification::Study& study)
+      : options_(options), study_(study), runner_(study.name, "", study.adapter) {}
+
+  std::string operator()(const verification::Group& group, std::size_t measure) {
+    const double seconds = guessed_seconds(group);
+    if (spent_ + seconds > options_.floor_seconds) {
+      return fmt::format(
+          "the cause of which porowave gate {} --store {} names (beyond "
+          "--floor-seconds {:g})",
+          options_.study, options_.store, options_.floor_seconds);
+    }
+    spent_ += seconds;
+    return verification::cause_of_floor(study_, group, measure, runner_);
+  }
+
+ private:
+  /// Twice the steps, twice the points, twice both steps and elements: eight times the cases' own.
+  static double guessed_seconds(const verification::Group& group) {
+    constexpr double work = 8.0;
+    constexpr std::size_t most_seeds = 4;
+    double seconds = 0.0;
+    const auto& finest = group.records.back();
+    for (std::size_t k = 0; k < std::min(most_seeds, finest.size()); ++k) {
+      if (std::isfinite(finest[k].cpu_seconds)) seconds += work * finest[k].cpu_seconds;
+    }
+    return seconds;
+  }
+
+  const ReportOptions& options_;
+  const verification::Study& study_;
+  verification::CaseRunner runner_;
+  double spent_ = 0.0;
+};
+
+/// What the study file says of the store, as `porowave gate` does.
 void judge_study(const ReportOptions& options, const TomlDocument& document,
                  const verification::Study& study, ReportContent& content) {
   const auto rules = verification::read_gate_rules(document, study);
@@ -73,7 +113,14 @@ void judge_study(const ReportOptions& options, const TomlDocument& document,
   if (!options.baseline.empty()) baseline = verification::read_baseline(options.baseline);
   const auto groups = verification::groups_of(study, Store::open(options.store));
   content.judged_study = study.name;
-  content.verdicts = verification::judge(groups, rules, baseline);
+  FloorExplainer explainer(options, study);
+  auto verdicts = verification::judge(groups, rules, baseline,
+                                      [&](const verification::Group& group, std::size_t measure) {
+                                        return explainer(group, measure);
+                                      });
+  const auto costs = verification::judge_costs(groups, rules, baseline);
+  verdicts.insert(verdicts.end(), costs.begin(), costs.end());
+  content.verdicts = std::move(verdicts);
 }
 
 }  // namespace
@@ -84,6 +131,9 @@ ReportContent read_report(const ReportOptions& options) {
   const auto chosen = chosen_measure(options.measure);
   if (options.study.empty() && !options.baseline.empty()) {
     throw InputError("--baseline: expected --study FILE, which it belongs to");
+  }
+  if (options.study.empty() && !options.junit.empty()) {
+    throw InputError("--junit: expected --study FILE, whose verdicts it is to hold");
   }
   CaseTableOptions how;
   how.store = options.store;

@@ -17,10 +17,22 @@ namespace porowave::reports {
 struct ReportOptions {
   std::string store;
   std::string output;
-  std::string study;     ///< its file, for verdicts; empty: none are given
-  std::string baseline;  ///< of these verdicts; may be empty
-  std::string compare;   ///< another store, "after"; empty: none
-  std::string measure;   ///< what figures show; empty: L2 of effective stress
+  std::string study;            ///< its file, for verdicts; empty: none are given
+  std::string baseline;         ///< of these verdicts; may be empty
+  std::string compare;          ///< another store, "after"; empty: none
+  std::string measure;          ///< what figures show; empty: L2 of effective stress
+  std::string junit;            ///< file for the verdicts as JUnit XML; empty: none
+  double floor_seconds = 20.0;  ///< of CPU to find causes of floors, by a guess from the store
+  int runs = 8;                 ///< cases that are run again for pictures of their fields, at most
+  double map_seconds = 5.0;     ///< of CPU for maps of critical steps, by a guess; 0: none
+  double run_seconds = 20.0;    ///< of CPU for that, by a guess (run_plan.hpp)
+};
+
+/// Figures of the fields of some cases of one problem.
+struct RunSection {
+  std::string heading;
+  std::vector<std::string> notes;  ///< on runs without figures
+  std::vector<ReportFigure> figures;
 };
 
 /// One study of the store.
@@ -30,6 +42,8 @@ struct StudyReport {
   std::vector<std::size_t> measures;                 ///< that and the L2 errors of the other fields
   std::vector<std::vector<GroupSummary>> summaries;  ///< [measure][group]
   std::vector<ReportFigure> figures;
+  std::string prefix;            ///< of the names of its figures
+  std::vector<RunSection> runs;  ///< of cases that were run again
   std::array<std::size_t, verification::case_status_names.size()> by_status{};
 };
 
@@ -41,6 +55,7 @@ struct ReportContent {
   std::optional<std::vector<verification::Verdict>> verdicts;
   std::string judged_study;  ///< name of the study that the verdicts are of
   std::optional<Comparison> comparison;
+  std::vector<std::string> run_notes;  ///< cases worth a look that were not run again
 };
 
 /// Reads stores, study and baseline. Writes nothing. Throws InputError and EnvironmentError.

@@ -17,26 +17,8 @@ constexpr double named_gain = 1.5;
 /// Errors beyond this are of runs that went wrong; the axis leaves them out.
 constexpr double largest_of_axis = 30.0;
 
-std::string level_name(const StudyTable& table, const FrontMember& member) {
-  const TableLevel& level = table.groups[member.group].levels[member.level];
-  const std::string key = table.refined_by.substr(table.refined_by.rfind('.') + 1);
-  return level.text.empty() ? "" : fmt::format("{} {}", level.text, key);
-}
-
-/// "bspline2, 3, jittered · 200 elements": without what the whole figure has in common.
 std::string member_name(const StudyTable& table, const FrontMember& member) {
-  std::string name;
-  const TableGroup& group = table.groups[member.group];
-  for (std::size_t a = 0; a < table.axes.size(); ++a) {
-    if (table.axes[a].of_problem) continue;
-    const std::string value = table.value(group, a);
-    const bool word = !value.empty() && std::isalpha(static_cast<unsigned char>(value[0])) != 0;
-    name += fmt::format("{}{}", name.empty() ? "" : ", ",
-                        word ? value : table.axes[a].title + " " + value);
-  }
-  const std::string level = level_name(table, member);
-  if (name.empty() || level.empty()) return name + level;
-  return name + ", " + level;
+  return method_name(table, member.group, member.level);
 }
 
 /// Of every member of the front its number in the figure's list, 0 if it is not named.
