@@ -93,6 +93,8 @@ BOOST_AUTO_TEST_CASE(steps_of_equal_sums_take_cases_as_often_as_they_are_long) {
   BOOST_TEST(mean == (40 * 1.0 * 0.5 + 40 * 3.0 * 1.5) / 160.0,
              boost::test_tools::tolerance(1e-12));
   BOOST_TEST(equal_steps({}, 3).empty());
+  BOOST_TEST(equal_steps({1.0, 3.0}, 1) == (std::vector<std::size_t>{1}),  // the middle
+             boost::test_tools::per_element());
   BOOST_TEST(equal_steps({2.0}, 2) == (std::vector<std::size_t>{0, 0}),
              boost::test_tools::per_element());
 }
