@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ctime>
 #include <filesystem>
 
 #include "reference/problem/errors.hpp"
 #include "reports/output_file.hpp"
 #include "verification/cluster/case_list.hpp"
+#include "verification/cluster/machine_speed.hpp"
+#include "verification/cluster/makespan.hpp"
 #include "verification/cluster/status.hpp"
 #include "verification/process/process.hpp"
+#include "verification/sweep/case_runner.hpp"
 
 namespace porowave::reports {
 
@@ -80,6 +84,46 @@ void submit_what_is_left(const ClusterFiles& files, int submission,
   submit_merge(merge, files.store);
 }
 
+/// From the rows that are there, which were made where the tasks will run; else by a trial here.
+verification::MachineSpeed machine_speed(const verification::Study& study,
+                                         const verification::CaseList& all,
+                                         const verification::CaseList& missing,
+                                         const ClusterFiles& files) {
+  constexpr double trial_seconds = 2.0;
+  std::vector<std::string> stores = files.shards();
+  stores.push_back(files.store);
+  const auto stored = verification::speed_of_rows(study, all, stores);
+  return stored ? *stored : verification::speed_of_trial(study, missing, trial_seconds);
+}
+
+verification::Plan plan_of(const verification::Study& study, const verification::CaseList& missing,
+                           int tasks, double speed, const verification::SlurmOptions& options) {
+  const std::size_t cases_of_a_task = missing.entries.size() / static_cast<std::size_t>(tasks) + 1;
+  const std::size_t profiles = std::min(cases_of_a_task, verification::profile_count(study));
+  return {.tasks = tasks,
+          .nodes = options.nodes,
+          .cpus = options.cpus,
+          .study_cases = study.cases.size(),
+          .speed = speed,
+          .profile_seconds = verification::seconds_per_profile * static_cast<double>(profiles)};
+}
+
+void print_prediction(const verification::CaseList& missing, const verification::Plan& plan,
+                      const verification::MachineSpeed& speed) {
+  std::vector<double> seconds;
+  for (const auto& entry : missing.entries) seconds.push_back(static_cast<double>(entry.seconds));
+  const verification::ClusterCosts costs;
+  const auto end = verification::predicted_makespan(seconds, plan, costs);
+  fmt::print("a case takes {:.2f} times as long as the cost model says: {}\n", speed.factor,
+             speed.cases == 0 ? "not measured"
+                              : fmt::format("{} of {} cases",
+                                            speed.stored ? "rows" : "a trial here", speed.cases));
+  fmt::print(
+      "predicted makespan on {} nodes of {} CPUs: {:.1f} s; tasks end after {:.1f} s, merging "
+      "takes {:.1f} s\n",
+      plan.nodes, plan.cpus, end.merged, end.tasks, end.merged - end.tasks);
+}
+
 }  // namespace
 
 int sweep_by_slurm(const std::string& study_path, const std::string& store,
@@ -91,10 +135,12 @@ int sweep_by_slurm(const std::string& study_path, const std::string& store,
   const auto status =
       verification::study_status(all, files.store, files.shards(), std::time(nullptr));
   const verification::CaseList& missing = status.unfinished;
-  const int tasks = verification::task_count(missing.seconds(), all.entries.size(),
-                                             missing.entries.size(), options);
+  const auto speed = machine_speed(study, all, missing, files);
+  const double seconds = speed.factor * missing.seconds();
+  const int tasks =
+      verification::task_count(seconds, all.entries.size(), missing.entries.size(), options);
   fmt::print("{}: {} of {} cases are missing, predicted to take {:.0f} s of CPU: {} tasks\n",
-             study.name, missing.entries.size(), all.entries.size(), missing.seconds(), tasks);
+             study.name, missing.entries.size(), all.entries.size(), seconds, tasks);
   const auto queue = verification::slurm_queue(files);
   if (queue && queue->running + queue->waiting > 0 && !dry_run) {
     fmt::print(
@@ -109,6 +155,7 @@ int sweep_by_slurm(const std::string& study_path, const std::string& store,
     submit_what_is_left(files, submission, all, options, dry_run);
     return 0;
   }
+  print_prediction(missing, plan_of(study, missing, tasks, speed.factor, options), speed);
   const SlurmJob sweep = verification::sweep_job(files, submission, tasks, program,
                                                  fs::absolute(study_path).string(), options);
   if (dry_run) {

@@ -8,9 +8,9 @@
 #include <iterator>
 
 #include "reference/problem/errors.hpp"
+#include "verification/cost/cost_model.hpp"
 #include "verification/study/build_identity.hpp"
 #include "verification/study/case_identity.hpp"
-#include "verification/sweep/case_runner.hpp"
 
 namespace porowave::verification {
 
@@ -89,7 +89,12 @@ bool stands_alone(const Study& study) {
 }
 
 std::string study_key(const std::string& study_path) {
-  return text_hash(fmt::format("{}\n{}", numerics_hash(), text_of(study_path)));
+  std::string costs;
+  for (const CostTerms& of_family : cost_constants().solver) {
+    fmt::format_to(std::back_inserter(costs), "{} ", fmt::join(of_family, " "));
+  }
+  fmt::format_to(std::back_inserter(costs), "{}", fmt::join(cost_constants().judging, " "));
+  return text_hash(fmt::format("{}\n{}\n{}", numerics_hash(), costs, text_of(study_path)));
 }
 
 void write_case_list(const std::string& path, const CaseList& list, const std::string& key) {

@@ -29,8 +29,8 @@ CaseList case_list(const Study& study);
 /// else made from the study, which takes 40 µs a case. Throws InputError.
 CaseList case_list(const std::string& study_path, const std::string& kept_in);
 
-/// What a study's list of cases depends on: the study file and the program's numerics. Throws
-/// InputError if the file cannot be read.
+/// What a study's list of cases depends on: the study file, and the program's numerics and cost
+/// model. Throws InputError if the file cannot be read.
 std::string study_key(const std::string& study_path);
 
 /// That no other file decides what the cases of the study are.

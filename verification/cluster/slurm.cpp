@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr double slurm_seconds = 0.8;      // a task and slot
 constexpr double seconds_per_case = 4e-5;  // to make a case from its study
-constexpr double worth = 40.0;             // times the overhead
+constexpr double worth_a_node = 4.0;       // times the overhead
+constexpr double worth = 40.0;             // the same, of more tasks than nodes
 constexpr double longest_seconds = 3600.0;
 constexpr double tasks_per_node = 8.0;
 constexpr double most_tasks = 1000.0;
@@ -76,7 +77,9 @@ int task_count(double cpu_seconds, std::size_t study_cases, std::size_t cases,
   if (options.tasks > 0) return static_cast<int>(std::min<double>(options.tasks, most));
   const double wall_seconds = cpu_seconds / options.cpus;
   const double overhead = slurm_seconds + seconds_per_case * static_cast<double>(study_cases);
-  const double worthwhile = wall_seconds / (worth * overhead);
+  const double worthwhile =
+      std::max(wall_seconds / (worth * overhead),
+               std::min<double>(options.nodes, wall_seconds / (worth_a_node * overhead)));
   const double wanted = std::max(tasks_per_node * options.nodes, wall_seconds / longest_seconds);
   auto count = static_cast<int>(std::clamp(std::min(worthwhile, wanted), 1.0, most_tasks));
   if (count > options.nodes) count -= count % options.nodes;

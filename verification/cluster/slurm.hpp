@@ -17,10 +17,11 @@ struct SlurmOptions {
 };
 
 /// Tasks for so much work, CPU seconds. A task begins with 0.8 s of Slurm's and by making all cases
-/// of the study (40 µs each); it gets at least 40 times that to do (32 s or more: 2.5 % are lost).
-/// Beyond that eight tasks a node, so that at the end no node waits for long, and none above an
-/// hour, so that they fit into short queues; a multiple of the nodes, at most 1,000 (Slurm's
-/// MaxArraySize is 1,001 if nobody has changed it) and at most one a case.
+/// of the study (40 µs each). There is one task a node while each has at least 4 times that to do
+/// (3 s or more), and up to eight a node, so that at the end no node waits for long, while each has
+/// at least 40 times that (32 s or more: 2.5 % are lost). None above an hour, so that they fit into
+/// short queues; beyond the number of nodes a multiple of it, at most 1,000 (Slurm's MaxArraySize
+/// is 1,001 if nobody has changed it) and at most one a case.
 int task_count(double cpu_seconds, std::size_t study_cases, std::size_t cases,
                const SlurmOptions& options);
 

@@ -20,18 +20,19 @@ bool has(const SlurmJob& job, const std::string& word) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(tasks_are_worth_forty_times_their_overhead) {
+BOOST_AUTO_TEST_CASE(tasks_are_worth_their_overhead) {
   const auto tasks = [](double seconds, std::size_t study, int nodes, int cpus) {
     return task_count(seconds, study, study, {.nodes = nodes, .cpus = cpus});
   };
   BOOST_TEST(task_count(0.0, 100, 0, {}) == 0);
   BOOST_TEST(tasks(1.0, 100, 2, 1) == 1);
-  // Every task has at least 32 s of its own to do.
+  // One a node has at least 3.2 s of its own to do, more than these at least 32 s.
   for (const double seconds : {50.0, 200.0, 1000.0, 1e5}) {
     for (const int nodes : {1, 2, 10, 100}) {
       for (const int cpus : {1, 8}) {
         const int count = tasks(seconds, 1000, nodes, cpus);
-        BOOST_TEST((count == 1 || seconds / cpus / count >= 32.0));
+        BOOST_TEST((count == 1 || seconds / cpus / count >= (count <= nodes ? 3.2 : 32.0)));
+        BOOST_TEST((count >= nodes || seconds / cpus / (count + 1) < 3.4));
         BOOST_TEST((count <= nodes || count % nodes == 0));
       }
     }

@@ -3,10 +3,10 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <cmath>
 #include <ctime>
 #include <limits>
 #include <new>
+#include <set>
 
 #include "reference/problem/errors.hpp"
 #include "verification/adapters/adapter_run.hpp"
@@ -77,11 +77,12 @@ void set_failure(CaseStatus status, const char* reason, Record& record) {
   record.reason = reason;
 }
 
-/// The problem alone: what stands before the choices of the method.
-std::string problem_text(const StudyCase& one) {
+/// What a profile depends on. The problem alone is what stands before the choices of the method.
+std::string profile_key(const StudyCase& one) {
   const auto end =
       std::min(one.specification.find("\n[discretization]"), one.specification.find("\n[time]"));
-  return one.specification.substr(0, end);
+  return fmt::format("{}\n{} {}", one.specification.substr(0, end), one.scene.time.end,
+                     solver::ColumnSolver::grid_length(one.scene));
 }
 
 }  // namespace
@@ -118,8 +119,7 @@ Record CaseRunner::run(const StudyCase& one) {
 }
 
 CaseRunner::ProfilePointer CaseRunner::profile_of(const StudyCase& one) {
-  const std::string key = fmt::format("{}\n{} {}", problem_text(one), one.scene.time.end,
-                                      solver::ColumnSolver::grid_length(one.scene));
+  const std::string key = profile_key(one);
   std::promise<ProfilePointer> promise;
   std::shared_future<ProfilePointer> future;
   bool first = false;
@@ -140,21 +140,10 @@ CaseRunner::ProfilePointer CaseRunner::profile_of(const StudyCase& one) {
   return future.get();
 }
 
-double predicted_work(const solver::Case& scene) {
-  const double length = solver::ColumnSolver::grid_length(scene);
-  const double elements = scene.discretization.elements;
-  const double steps = scene.time.end * wave_speeds(scene.problem.material).p1 * elements /
-                       (length * scene.time.courant);
-  // Points are visited when weights are made and when errors are, nodes in every step.
-  const double points = elements * scene.discretization.points_per_element;
-  return elements * steps + 50.0 * points;
-}
-
-double predicted_seconds(const solver::Case& scene) {
-  // Guesses, compared with the study `smoke` only: 14 s predicted, 11.3 s measured for 2,880 cases.
-  constexpr double seconds_per_case = 1.0e-4;
-  constexpr double seconds_per_work = 1.0e-8;
-  return seconds_per_case + seconds_per_work * predicted_work(scene);
+std::size_t profile_count(const Study& study) {
+  std::set<std::string> keys;
+  for (const StudyCase& one : study.cases) keys.insert(profile_key(one));
+  return keys.size();
 }
 
 }  // namespace porowave::verification

@@ -51,9 +51,9 @@ class CaseRunner {
   std::map<std::string, std::shared_future<ProfilePointer>> profiles_;
 };
 
-/// Work that a case takes compared with others, without unit: to run the longest first.
-double predicted_work(const solver::Case& scene);
-/// The same as CPU time, s: a guess to size the tasks of a cluster by, not fitted to a machine.
-double predicted_seconds(const solver::Case& scene);
+/// Profiles of references that a runner makes for all cases of a study, and CPU time of one, s, by
+/// porowave-cost-fit: between 4 and 17 ms.
+std::size_t profile_count(const Study& study);
+inline constexpr double seconds_per_profile = 0.008;
 
 }  // namespace porowave::verification

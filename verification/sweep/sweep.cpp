@@ -6,12 +6,12 @@
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
-#include <functional>
 #include <mutex>
-#include <queue>
 #include <thread>
 
+#include "verification/cost/cost_model.hpp"
 #include "verification/study/case_identity.hpp"
+#include "verification/sweep/shares.hpp"
 
 namespace porowave::verification {
 
@@ -74,7 +74,7 @@ std::vector<const StudyCase*> in_running_order(std::vector<const StudyCase*> cas
   };
   std::vector<Place> places;
   for (const StudyCase* one : cases) {
-    places.push_back({std::ilogb(predicted_work(one->scene)),
+    places.push_back({std::ilogb(predicted_seconds(one->scene)),
                       text_hash(one->id + std::to_string(getpid())), one});
   }
   std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
@@ -101,20 +101,17 @@ std::vector<const StudyCase*> cases_of(const Study& study, const std::optional<S
   if (!shard) return cases;
   using Weighed = std::pair<double, const StudyCase*>;
   std::vector<Weighed> weighed;
-  for (const StudyCase* one : cases) weighed.emplace_back(predicted_work(one->scene), one);
+  for (const StudyCase* one : cases) weighed.emplace_back(predicted_seconds(one->scene), one);
   // The same order in every process: by work, then by identity.
   std::sort(weighed.begin(), weighed.end(), [](const Weighed& a, const Weighed& b) {
     return a.first != b.first ? a.first > b.first : a.second->id < b.second->id;
   });
-  using Load = std::pair<double, int>;  // work, shard
-  std::priority_queue<Load, std::vector<Load>, std::greater<>> lightest;
-  for (int i = 1; i <= shard->count; ++i) lightest.emplace(0.0, i);
+  std::vector<double> works;
+  for (const auto& [work, one] : weighed) works.push_back(work);
+  const std::vector<int> share_of = shared_out(works, shard->count);
   std::vector<const StudyCase*> part;
-  for (const auto& [work, one] : weighed) {
-    const auto [load, index] = lightest.top();
-    lightest.pop();
-    lightest.emplace(load + work, index);
-    if (index == shard->index) part.push_back(one);
+  for (std::size_t i = 0; i < weighed.size(); ++i) {
+    if (share_of[i] + 1 == shard->index) part.push_back(weighed[i].second);
   }
   return part;
 }

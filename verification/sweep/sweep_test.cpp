@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "reference/problem/errors.hpp"
+#include "verification/cost/cost_model.hpp"
 #include "verification/process/scratch_directory.hpp"
 #include "verification/sweep/repeat.hpp"
 
@@ -105,8 +106,8 @@ BOOST_AUTO_TEST_CASE(shards_are_balanced_by_predicted_work_and_leave_out_nothing
       shortest.push_back(std::numeric_limits<double>::infinity());
       for (const auto* one : cases_of(study, Shard{i, 3}, ids)) {
         seen.insert(one->id);
-        work.back() += predicted_work(one->scene);
-        shortest.back() = std::min(shortest.back(), predicted_work(one->scene));
+        work.back() += predicted_seconds(one->scene);
+        shortest.back() = std::min(shortest.back(), predicted_seconds(one->scene));
       }
     }
     // When a shard got its last case, its shortest, no other had less.
