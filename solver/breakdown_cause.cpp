@@ -241,4 +241,10 @@ BreakdownCause breakdown_cause(const Case& scene, const BrokenRun& run) {
   return cause;
 }
 
+std::string reason_and_cause(const Case& scene, const Breakdown& breakdown) {
+  if (breakdown.time_step == 0.0) return breakdown.reason;
+  const BrokenRun run{breakdown.step, breakdown.time_step, breakdown.moved};
+  return breakdown.reason + "; " + breakdown_cause(scene, run).text;
+}
+
 }  // namespace porowave::solver

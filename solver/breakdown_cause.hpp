@@ -20,6 +20,7 @@
 #include <string>
 
 #include "solver/case.hpp"
+#include "solver/column_solver.hpp"
 
 namespace porowave::solver {
 
@@ -47,5 +48,8 @@ struct BreakdownCause {
 // Takes up to some seconds, for scenes of 100 elements tenths of one. Throws nothing that the
 // analysis throws: then no cause is claimed.
 BreakdownCause breakdown_cause(const Case& scene, const BrokenRun& run);
+
+// The reason of a breakdown of the scene, with its cause as far as evidence goes.
+std::string reason_and_cause(const Case& scene, const Breakdown& breakdown);
 
 }  // namespace porowave::solver

@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "solver/breakdown_cause.hpp"
 #include "solver/column_solver.hpp"
 
 namespace porowave::solver {
@@ -173,9 +172,8 @@ std::optional<Breakdown> ColumnSolver::find_breakdown() const {
   const double moved = largest_distance(state.points, place_points(scene_.discretization,
                                                                    grid_.spacing, found->phase)) +
                        largest_size(state.displacement);
-  const BreakdownCause cause = breakdown_cause(scene_, {step_, dt_, moved});
-  return Breakdown{
-      step_, fmt::format("step {}, t = {:.6g} s: {}; {}", step_, time(), found->words, cause.text)};
+  return Breakdown{step_, fmt::format("step {}, t = {:.6g} s: {}", step_, time(), found->words),
+                   dt_, moved};
 }
 
 Breakdown ColumnSolver::moved_too_far() const {

@@ -66,10 +66,13 @@ struct Snapshot {
   std::vector<double> fluid_velocity;
 };
 
-// Why a run cannot go on.
+// Why a run cannot go on. What caused it is a question of its own, which takes longer than most
+// runs: breakdown_cause.hpp.
 struct Breakdown {
   long step;
-  std::string reason;  // step, time, quantity, place
+  std::string reason;      // step, time, quantity, place, what is wrong
+  double time_step = 0.0;  // s; 0 if the reason says all there is to say
+  double moved = 0.0;      // how far a point has moved at most, m
 };
 
 class ColumnSolver {

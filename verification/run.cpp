@@ -9,6 +9,7 @@
 #include <ctime>
 
 #include "reference/problem/errors.hpp"
+#include "solver/breakdown_cause.hpp"
 #include "solver/staggered/staggered_solver.hpp"
 
 namespace porowave::verification {
@@ -98,6 +99,14 @@ RunResult run_case(const solver::Case& scene, const reference::Profile& profile)
     const ReferenceValues reference = reference_values(result.snapshot, profile);
     result.errors = field_errors(result.snapshot, reference);
     result.measures = wave_measures(scene, profile, result.snapshot, reference);
+  }
+  return result;
+}
+
+RunResult run_and_explain(const solver::Case& scene, const reference::Profile& profile) {
+  RunResult result = run_case(scene, profile);
+  if (result.breakdown) {
+    result.breakdown->reason = solver::reason_and_cause(scene, *result.breakdown);
   }
   return result;
 }

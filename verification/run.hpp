@@ -50,4 +50,8 @@ std::shared_ptr<const reference::Profile> reference_profile(const solver::Case& 
 /// finite where these are not); other failures are exceptions.
 RunResult run_case(const solver::Case& scene, const reference::Profile& profile);
 
+/// The same, and of a breakdown the likely cause, at the end of its reason. That may take a hundred
+/// times as long as the run (solver/breakdown_cause.hpp), and is not part of its cost.
+RunResult run_and_explain(const solver::Case& scene, const reference::Profile& profile);
+
 }  // namespace porowave::verification

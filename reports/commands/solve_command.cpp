@@ -23,7 +23,7 @@ int run_solve(const SolveOptions& options) {
   if (!options.output.empty()) require_writable(options.output);
   if (!options.json.empty()) require_writable(options.json);
   const auto profile = verification::reference_profile(scene);
-  const auto result = verification::run_case(scene, *profile);
+  const auto result = verification::run_and_explain(scene, *profile);
   if (!options.output.empty()) {
     write_file(options.output,
                [&](std::ostream& out) { verification::write_points_csv(result.snapshot, out); });

@@ -162,7 +162,8 @@ void add_sweep_command(CLI::App& program, Command& run) {
   command->footer(
       "Every case is a row of the store, keyed by a hash of its full specification and of the\n"
       "sources that decide numbers. Killed at any moment, the sweep goes on where it was.\n"
-      "--case ends with 0 if all errors are what they were, 1 if not, 4 if the run broke down:\n"
+      "--case ends with 0 if all errors are what they were, 1 if not, 4 if the run broke down "
+      "(with the likely cause):\n"
       "usable as git bisect run porowave sweep STUDY.toml --store results --case ID\n"
       "--slurm writes scripts to STORE.slurm and results of tasks to STORE.shards; run again it\n"
       "submits what is missing then. porowave status tells how far it is.\n"

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "solver/breakdown_cause.hpp"
-
 namespace porowave::solver {
 
 namespace {
@@ -216,9 +214,7 @@ std::optional<Breakdown> StaggeredSolver::find_breakdown() const {
   if (!found) found = velocity_excess(solid_.velocity_sum, "solid_velocity");
   if (!found) found = velocity_excess(fluid_.velocity_sum, "fluid_velocity");
   if (!found) return std::nullopt;
-  const BreakdownCause cause = breakdown_cause(scene_, {step_, dt_, 0.0});
-  return Breakdown{step_,
-                   fmt::format("step {}, t = {:.6g} s: {}; {}", step_, time(), *found, cause.text)};
+  return Breakdown{step_, fmt::format("step {}, t = {:.6g} s: {}", step_, time(), *found), dt_};
 }
 
 std::optional<Breakdown> StaggeredSolver::run() {

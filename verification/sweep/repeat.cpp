@@ -59,7 +59,8 @@ Repetition repeat(const Store& store, const std::string& id) {
   }
   one.scene = solver::read_case(document);
   one.id = case_id(one.specification, one.scene);
-  result.now = CaseRunner(result.stored.study, current_provenance().id).run(one);
+  result.now =
+      CaseRunner(result.stored.study, current_provenance().id, {}, run_and_explain).run(one);
   result.same = same_outcome(result.stored, result.now);
   return result;
 }
