@@ -7,6 +7,7 @@
 
 #include "reference/problem/errors.hpp"
 #include "reports/report/text_forms.hpp"
+#include "verification/cost/cost_model.hpp"
 #include "verification/sweep/case_runner.hpp"
 
 namespace porowave::reports {
