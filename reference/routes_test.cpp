@@ -1,4 +1,5 @@
-// Three ways to the exact solution on many random problems.
+// Three ways to the exact solution on many random problems; routes_tests -- 1000 takes that many
+// instead of the few of the test suite.
 
 #include <array>
 #include <boost/test/unit_test.hpp>
@@ -6,6 +7,7 @@
 #include <ctime>
 #include <limits>
 #include <sstream>
+#include <string>
 
 #include "reference/bromwich.hpp"
 #include "reference/column_solution.hpp"
@@ -105,12 +107,18 @@ Point any_point(fixtures::RandomProblems& random) {
   return random_point(random, problem);
 }
 
+int problems_wanted() {
+  const auto& suite = boost::unit_test::framework::master_test_suite();
+  return suite.argc > 1 ? std::stoi(suite.argv[1]) : 300;
+}
+
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(a_thousand_smooth_problems_agree_between_contour_and_modes_to_1e_10) {
+BOOST_AUTO_TEST_CASE(smooth_problems_agree_between_contour_and_modes_to_1e_10) {
+  const int problems = problems_wanted();
   fixtures::RandomProblems random(101);
   Tally tally;
-  for (int trial = 0; trial < 1000; ++trial) {
+  for (int trial = 0; trial < problems; ++trial) {
     const Point point = smooth_point(random);
     const BoundedFields contour = ColumnSolution(point.problem).at(point.x, point.t);
     const double start = cpu_seconds();
@@ -123,10 +131,11 @@ BOOST_AUTO_TEST_CASE(a_thousand_smooth_problems_agree_between_contour_and_modes_
   BOOST_TEST(tally.beyond_errors == 0);
 }
 
-BOOST_AUTO_TEST_CASE(a_thousand_problems_agree_between_contour_and_bromwich_integral_to_1e_8) {
+BOOST_AUTO_TEST_CASE(problems_agree_between_contour_and_bromwich_integral_to_1e_8) {
+  const int problems = problems_wanted();
   fixtures::RandomProblems random(102);
   Tally tally;
-  for (int trial = 0; trial < 1000; ++trial) {
+  for (int trial = 0; trial < problems; ++trial) {
     const Point point = any_point(random);
     const BoundedFields contour = ColumnSolution(point.problem).at(point.x, point.t);
     if (!(fixtures::largest_share(point.problem, contour.error) <= 1e-10)) {
@@ -141,7 +150,7 @@ BOOST_AUTO_TEST_CASE(a_thousand_problems_agree_between_contour_and_bromwich_inte
   BOOST_TEST_MESSAGE("contour and Bromwich integral: " << tally);
   BOOST_TEST(tally.beyond == 0);
   BOOST_TEST(tally.beyond_errors == 0);
-  BOOST_TEST(tally.skipped <= 20);
+  BOOST_TEST(tally.skipped <= problems / 50);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

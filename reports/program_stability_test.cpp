@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(a_study_is_mapped) {
   const TestDirectory folder;
   const std::string axes =
       "[study]\nname = \"map\"\n[axes]\n\"discretization.points_per_element\" = [1, 2]\n"
-      "\"discretization.seed\" = [1, 2]\n";
+      "\"time.courant\" = [0.3, 0.5]\n";
   write_text(folder / "study.toml", small_case("0.5").text() + axes);
   const auto result =
       run_porowave({"stability", "study.toml", "--output", "map", "--jobs", "1"}, folder.path());
@@ -106,6 +106,21 @@ BOOST_AUTO_TEST_CASE(a_study_is_mapped) {
   BOOST_TEST(map.rows[0][2].starts_with("0.7"));
   check_pictures(folder / "map", "stability_map");
   check_failure(run_porowave({"stability", "study.toml"}, folder.path()), 2, {"--output"});
+}
+
+BOOST_AUTO_TEST_CASE(a_study_with_seeds_has_their_distribution) {
+  const TestDirectory folder;
+  write_text(folder / "study.toml", small_case("0.5").text() +
+                                        "[study]\nname = \"seeds\"\n[axes]\n"
+                                        "\"discretization.points_per_element\" = [1, 2]\n"
+                                        "\"discretization.seed\" = [1, 2]\n");
+  const auto result = run_porowave({"stability", "study.toml", "--output", "map"}, folder.path());
+  BOOST_TEST(result.exit_code == 0, result.errors);
+  BOOST_TEST(read_csv(text_of(folder / "map/stability_map.csv")).rows.size() == 4u);
+  const CsvText seeds = read_csv(text_of(folder / "map/stability_seeds.csv"));
+  BOOST_TEST_REQUIRE(seeds.rows.size() == 2u);
+  BOOST_TEST(seeds.rows[0][1] == "2");
+  check_pictures(folder / "map", "stability_seeds");
 }
 
 BOOST_AUTO_TEST_CASE(the_example_runs) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reference/problem/problem_fixtures.hpp"
+#include "solver/breakdown_cause.hpp"
 #include "solver/column_fixtures.hpp"
 #include "solver/column_solver.hpp"
 
@@ -152,7 +153,8 @@ BOOST_AUTO_TEST_CASE(an_explosion_is_found_by_both_paths) {
     ColumnSolver solver(scene);
     const auto breakdown = solver.run();
     BOOST_REQUIRE(breakdown);
-    BOOST_TEST(breakdown->reason.find("try a smaller courant") != std::string::npos);
+    const std::string reason = reason_and_cause(scene, *breakdown);
+    BOOST_TEST(reason.find("try a smaller courant") != std::string::npos, reason);
   }
 }
 

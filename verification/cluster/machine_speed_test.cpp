@@ -47,7 +47,7 @@ std::vector<Record> rows_at(const Study& study, double factor) {
 BOOST_AUTO_TEST_CASE(rows_tell_how_much_slower_their_machine_is) {
   const ScratchDirectory directory;
   const Study study = study_of("[1600, 3200]", 40);
-  const CaseList all = case_list(study);
+  const CaseList all = verification::case_list(study);
   const std::vector<std::string> stores = {directory.file("none"), directory.file("s"),
                                            directory.file("1")};
   BOOST_TEST(!speed_of_rows(study, all, stores).has_value());
@@ -76,7 +76,8 @@ BOOST_AUTO_TEST_CASE(too_little_work_in_the_rows_is_no_measurement) {
   const ScratchDirectory directory;
   const Study study = study_of("[20]", 3);
   Store::create_or_open(directory.file("s")).add(rows_at(study, 2.0));
-  BOOST_TEST(!speed_of_rows(study, case_list(study), {directory.file("s")}).has_value());
+  BOOST_TEST(
+      !speed_of_rows(study, verification::case_list(study), {directory.file("s")}).has_value());
 }
 
 BOOST_AUTO_TEST_CASE(steps_of_equal_sums_take_cases_as_often_as_they_are_long) {
@@ -101,7 +102,7 @@ BOOST_AUTO_TEST_CASE(steps_of_equal_sums_take_cases_as_often_as_they_are_long) {
 
 BOOST_AUTO_TEST_CASE(a_trial_leaves_out_what_is_too_long_for_it) {
   const Study study = study_of("[20, 40]", 4);
-  const CaseList all = case_list(study);
+  const CaseList all = verification::case_list(study);
   const MachineSpeed speed = speed_of_trial(study, all, 0.05);
   BOOST_TEST(speed.cases >= 1U);
   BOOST_TEST(speed.cases <= all.entries.size());

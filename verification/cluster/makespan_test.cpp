@@ -6,8 +6,9 @@
 #include <numeric>
 #include <random>
 
-BOOST_AUTO_TEST_SUITE(makespan_of_clusters)
+BOOST_AUTO_TEST_SUITE(makespan)
 
+using namespace porowave;
 using namespace porowave::verification;
 
 namespace {
@@ -32,10 +33,10 @@ double sum(const std::vector<double>& works) {
 BOOST_AUTO_TEST_CASE(one_node_takes_the_sum_of_works_and_overheads_and_merges_then) {
   const auto works = some_works(20);
   const ClusterCosts costs{0.5, 0.125, 0.0, 3.0, 0.01};
-  const Makespan result = makespan(works, 1, 400, costs);
+  const Makespan result = verification::makespan(works, 1, 400, costs);
   BOOST_TEST(result.tasks == sum(works) + 20 * 0.625, near);
   BOOST_TEST(result.merged == result.tasks + 3.0 + 4.0, near);
-  BOOST_TEST(makespan({}, 4, 100, costs).merged == 4.0, near);
+  BOOST_TEST(verification::makespan({}, 4, 100, costs).merged == 4.0, near);
 }
 
 BOOST_AUTO_TEST_CASE(equal_tasks_without_overhead_come_in_rounds) {
@@ -43,7 +44,7 @@ BOOST_AUTO_TEST_CASE(equal_tasks_without_overhead_come_in_rounds) {
     for (const int nodes : {1, 2, 3, 6, 50}) {
       const std::vector<double> works(tasks, 2.5);
       const double rounds = std::ceil(static_cast<double>(tasks) / nodes);
-      BOOST_TEST(makespan(works, nodes, 0, nothing).merged == 2.5 * rounds, near);
+      BOOST_TEST(verification::makespan(works, nodes, 0, nothing).merged == 2.5 * rounds, near);
     }
   }
 }
@@ -54,12 +55,12 @@ BOOST_AUTO_TEST_CASE(no_cluster_beats_its_share_its_longest_task_or_its_controll
   const double longest = *std::max_element(works.begin(), works.end()) + 0.45;
   double last = sum(works) + 300 * 0.45 + 1.0;
   for (const int nodes : {1, 2, 10, 100, 1000}) {
-    const double end = makespan(works, nodes, 0, costs).tasks;
+    const double end = verification::makespan(works, nodes, 0, costs).tasks;
     const double least = std::max({(sum(works) + 300 * 0.45) / nodes, longest, 300 * 0.05 + 0.4});
     BOOST_TEST(end >= least * (1.0 - 1e-12));
     BOOST_TEST(end <= last);  // more nodes are never slower here
     last = end;
-    const double without = makespan(works, nodes, 0, nothing).tasks;
+    const double without = verification::makespan(works, nodes, 0, nothing).tasks;
     const double bound =
         std::max(sum(works) / nodes, *std::max_element(works.begin(), works.end()));
     BOOST_TEST(without <= (2.0 - 1.0 / nodes) * bound * (1.0 + 1e-12));
@@ -70,10 +71,10 @@ BOOST_AUTO_TEST_CASE(the_controller_begins_tasks_one_after_the_other) {
   // Tasks of no length: the last of 1,000 begins when the controller has begun all.
   const std::vector<double> works(1000, 0.0);
   const ClusterCosts costs{0.3, 0.01, 0.0, 0.0, 0.0};
-  BOOST_TEST(makespan(works, 1000, 0, costs).tasks == 10.0 + 0.3,
+  BOOST_TEST(verification::makespan(works, 1000, 0, costs).tasks == 10.0 + 0.3,
              boost::test_tools::tolerance(1e-9));
   // Ten nodes that are each 0.3 s busy with a task, and the controller 0.01 s: nodes decide.
-  BOOST_TEST(makespan(works, 10, 0, costs).tasks == 100 * 0.31 + 9 * 0.01,
+  BOOST_TEST(verification::makespan(works, 10, 0, costs).tasks == 100 * 0.31 + 9 * 0.01,
              boost::test_tools::tolerance(1e-9));
 }
 
