@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "reference/problem/errors.hpp"
@@ -46,7 +47,7 @@ verification::Study scenes_of(const StudyTable& table) {
     for (const std::string& value : table.axes[a].values) values.push_back(TomlValue{value});
     study.axes.push_back({"", table.axes[a].title, values});
   }
-  std::set<std::vector<std::size_t>> seen;
+  std::map<std::vector<std::size_t>, std::size_t> places;
   for (const TableGroup& group : table.groups) {
     std::vector<std::size_t> at;
     verification::StudyCase one;
@@ -54,15 +55,20 @@ verification::Study scenes_of(const StudyTable& table) {
       at.push_back(group.at[axes[k]]);
       one.coordinates.push_back(study.axes[k].values[at.back()]);
     }
-    if (seen.contains(at)) continue;
     const auto& row = table.rows[group.levels.front().rows.front()];
     try {
       one.scene = solver::read_case(TomlDocument::parse(row.specification, row.id));
     } catch (const std::exception&) {
       continue;
     }
-    seen.insert(at);
-    study.cases.push_back(std::move(one));
+    const auto [place, is_new] = places.try_emplace(at, study.cases.size());
+    if (is_new) {
+      study.cases.push_back(std::move(one));
+      continue;
+    }
+    // Groups that differ in what has no part in the map: the longest step is held against it.
+    double& courant = study.cases[place->second].scene.time.courant;
+    courant = std::max(courant, one.scene.time.courant);
   }
   return study;
 }

@@ -62,6 +62,19 @@ BOOST_AUTO_TEST_CASE(cases_beyond_their_critical_step_are_counted) {
   check_pictures(folder.path(), "stability_map");
 }
 
+// Groups that differ in the Courant number are one scene, which has a case beyond its critical step
+// if any of them is.
+BOOST_AUTO_TEST_CASE(the_longest_step_of_a_scene_is_held_against_it) {
+  auto rows = two_transfers(20, 0.5);
+  for (const auto& row : two_transfers(20, 0.9)) rows.push_back(row);
+  auto content = content_of(rows);
+  BOOST_REQUIRE(content.studies[0].table.groups.size() == 4u);
+  add_critical_maps(content);
+  const std::string claim = content.studies[0].runs.at(0).figures.at(0).claim;
+  BOOST_TEST(contains(claim, "Of 2 scenes "), claim);
+  BOOST_TEST(contains(claim, "; 1 have a case beyond"), claim);
+}
+
 BOOST_AUTO_TEST_CASE(what_takes_long_is_left_out_with_its_command) {
   auto content = content_of(two_transfers(1000, 0.5));
   add_critical_maps(content);

@@ -65,7 +65,9 @@
     study.measures.forEach((name, m) => entry(name, one[4][m]));
     entry('CPU time (s)', one[5]);
     entry('ns a point and step', one[6]);
-    const command = data.rerun + one[0];
+    const command = /^\[adapter\]/m.test(specification(group, one))
+      ? 'Another program ran it: sweep its study into a new store'
+      : data.rerun + one[0];
     dialog.replaceChildren(
       close, element('h2', 'Case ' + one[0], { id: 'case_title', class: 'id' }), list,
       element('h3', 'Run it again'), element('pre', command, { tabindex: '0' }),

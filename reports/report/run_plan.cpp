@@ -80,11 +80,9 @@ class Planner {
     try {
       const TomlDocument document = TomlDocument::parse(row.specification, "its specification");
       if (document.section("adapter").present()) {
-        const std::string study = options.study.empty() ? "STUDY.toml" : options.study;
         return leave_out(candidate,
-                         fmt::format("run by another program, whose fields no store holds. It is "
-                                     "run again by: porowave sweep {} --store {} --case {}",
-                                     shell_word(study), shell_word(options.store), row.id));
+                         "run by another program, whose fields no store holds; to run it "
+                         "again, sweep its study into a new store");
       }
       const solver::Case scene = solver::read_case(document);
       const double seconds = guessed_seconds(scene, row);

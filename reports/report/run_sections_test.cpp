@@ -124,8 +124,8 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_run_is_named_with_what_would) {
   add_runs(adapter);
   BOOST_TEST(adapter.studies[0].runs.empty());
   BOOST_TEST(contains(all_notes(adapter), "run by another program"));
-  BOOST_TEST(contains(all_notes(adapter),
-                      "porowave sweep STUDY.toml --store 'my store' --case " + other.id));
+  BOOST_TEST(contains(all_notes(adapter), "sweep its study into a new store"));
+  BOOST_TEST(!contains(all_notes(adapter), "--case"));     // sweep --case takes cases of ours only
   auto odd = content_of({report_fixtures::row({}, 0.1)});  // no material
   add_runs(odd);
   BOOST_TEST(contains(all_notes(odd), "this program cannot run it: "));

@@ -17,22 +17,7 @@ namespace {
 
 /// Seeds 1 to 10 of two numbers of points; the seeds in the middle of the axes.
 Study trial(const std::string& seeds) {
-  return read_study(TomlDocument::parse(R"([material]
-porosity = 0.4
-grain_density = 2650.0
-fluid_density = 1000.0
-constrained_modulus = 5.0e9
-fluid_bulk_modulus = 2.2e9
-intrinsic_permeability = 1.0e-11
-fluid_viscosity = 1.0e-3
-[column]
-length = 0.1
-near = "drained_traction"
-far = "rigid_sealed"
-[load]
-shape = "step"
-magnitude = 1.0
-[discretization]
+  return read_study(TomlDocument::parse(fixtures::column_text("1e-11") + R"([discretization]
 elements = 12
 placement = "stratified"
 [time]

@@ -18,22 +18,7 @@ namespace {
 /// Linear shape functions, uniform points, hardly any drag; with a gap at the loaded end a case
 /// cannot be run.
 Study study() {
-  return read_study(TomlDocument::parse(R"([material]
-porosity = 0.4
-grain_density = 2650.0
-fluid_density = 1000.0
-constrained_modulus = 5.0e9
-fluid_bulk_modulus = 2.2e9
-intrinsic_permeability = 1.0
-fluid_viscosity = 1.0e-3
-[column]
-length = 0.1
-near = "drained_traction"
-far = "rigid_sealed"
-[load]
-shape = "step"
-magnitude = 1.0
-[discretization]
+  return read_study(TomlDocument::parse(fixtures::column_text("1.0") + R"([discretization]
 elements = 24
 transfer = "shape"
 kernel = "bspline1"
