@@ -56,6 +56,10 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_explained_in_one_line) {
   refused({"report", "--output", "there"}, {"store is required", "porowave report --help"});
   refused({"report", "results"}, {"--output is required"});
   refused({"demo", "there"}, {"there"});
+  for (const std::string limit : {"abc", "1:", "1:2:3:4", "2h", ""}) {
+    refused({"sweep", "s.toml", "--store", "s", "--slurm", "--time", limit},
+            {"--time: " + limit + ": expected minutes"});
+  }
   BOOST_TEST(folder.contents() == "");
 }
 

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <ctime>
 #include <memory>
+#include <regex>
 #include <thread>
 
 #include "reference/problem/errors.hpp"
@@ -122,6 +123,15 @@ int run_sweep(const SweepOptions& options) {
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
+/// The forms that sbatch takes, so that a slip is told before anything is written.
+std::string not_a_time_limit(const std::string& text) {
+  static const std::regex form("([0-9]+-)?[0-9]+(:[0-9]+){0,2}|infinite|unlimited",
+                               std::regex::icase);
+  if (std::regex_match(text, form)) return {};
+  return fmt::format(
+      "{}: expected minutes, [hours:]minutes:seconds or days-hours[:minutes[:seconds]]", text);
+}
+
 void add_slurm_options(CLI::App& command, SweepOptions& options) {
   CLI::Option* slurm = command.add_flag(
       "--slurm", options.slurm,
@@ -130,7 +140,8 @@ void add_slurm_options(CLI::App& command, SweepOptions& options) {
     return command.add_option(name, value, text)->needs(slurm);
   };
   add("--partition", options.cluster.partition, "Of Slurm; its default if absent");
-  add("--time", options.cluster.time, "Limit of one task, as sbatch reads it: 02:00:00");
+  add("--time", options.cluster.time, "Limit of one task, as sbatch reads it: 02:00:00")
+      ->check(not_a_time_limit);
   add("--nodes", options.cluster.nodes, "Tasks at a time; 1 if absent")
       ->check(CLI::Range(1, 100'000));
   add("--cpus", options.cluster.cpus, "CPUs of a task; 1 if absent")->check(CLI::Range(1, 1024));
