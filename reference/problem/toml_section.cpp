@@ -77,7 +77,9 @@ double TomlSection::checked_number(std::string_view key, const Node& node,
 }
 
 double TomlSection::number(std::string_view key, const Range& range) {
-  return checked_number(key, require(key, range.text()), range);
+  const auto node = find(key);
+  if (!node) refuse(key, range.text());
+  return checked_number(key, *node, range);
 }
 
 std::optional<double> TomlSection::number_if(std::string_view key, const Range& range) {
@@ -94,10 +96,11 @@ long TomlSection::integer_or(std::string_view key, long fallback, long low, long
 }
 
 long TomlSection::integer(std::string_view key, long low, long high) {
-  const std::string expected = fmt::format("a whole number from {} to {}", low, high);
-  const Node node = require(key, expected);
-  const auto* value = node.node->as_integer();
-  if (!value || value->get() < low || value->get() > high) refuse(key, expected);
+  const auto node = find(key);
+  const auto* value = node ? node->node->as_integer() : nullptr;
+  if (!value || value->get() < low || value->get() > high) {
+    refuse(key, fmt::format("a whole number from {} to {}", low, high));
+  }
   return static_cast<long>(value->get());
 }
 
@@ -116,30 +119,29 @@ std::vector<double> TomlSection::numbers_or(std::string_view key, std::vector<do
                                             const Range& range) {
   const auto node = find(key);
   if (!node) return fallback;
-  const auto expected = fmt::format("a list, each entry {}", range.text());
+  const auto expected = [&] { return fmt::format("a list, each entry {}", range.text()); };
   const auto* list = node->node->as_array();
-  if (!list) refuse(key, expected);
+  if (!list) refuse(key, expected());
   std::vector<double> numbers;
   for (const auto& entry : *list) {
     const auto value = entry.value<double>();
-    if (!entry.is_number() || !value || !range.contains(*value)) refuse(key, expected);
+    if (!entry.is_number() || !value || !range.contains(*value)) refuse(key, expected());
     numbers.push_back(*value);
   }
   return numbers;
 }
 
 std::size_t TomlSection::choice(std::string_view key, std::span<const std::string_view> words) {
-  const std::vector<std::string> known(words.begin(), words.end());
-  const std::string expected = "one of " + known_words(known);
-  const Node node = require(key, expected);
-  const auto* word = node.node->as_string();
-  if (!word) refuse(key, expected);
-  const auto found = std::find(words.begin(), words.end(), word->get());
-  if (found == words.end()) {
-    const auto near = nearest_word(word->get(), known);
-    refuse(key, near ? fmt::format("{} (did you mean {}?)", expected, *near) : expected);
+  const auto node = find(key);
+  const auto* word = node ? node->node->as_string() : nullptr;
+  if (word) {
+    const auto found = std::find(words.begin(), words.end(), word->get());
+    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
   }
-  return static_cast<std::size_t>(found - words.begin());
+  const std::vector<std::string> known(words.begin(), words.end());
+  const auto near = word ? nearest_word(word->get(), known) : std::nullopt;
+  const std::string expected = "one of " + known_words(known);
+  refuse(key, near ? fmt::format("{} (did you mean {}?)", expected, *near) : expected);
 }
 
 std::size_t TomlSection::choice_or(std::string_view key, std::size_t fallback,
@@ -151,9 +153,9 @@ void TomlSection::done() const {
   const auto found = std::as_const(document_->impl_->table)[name_];
   const auto* table = index_ ? found[*index_].as_table() : found.as_table();
   if (!table) return;
-  const std::vector<std::string> known(known_.begin(), known_.end());
   for (const auto& [key, node] : *table) {
     if (known_.contains(key.str())) continue;
+    const std::vector<std::string> known(known_.begin(), known_.end());
     throw InputError(fmt::format("{}:{}: [{}] {} = {}: unknown key; {}", document_->path_,
                                  key.source().begin.line, name_, key.str(), shown(node),
                                  suggestion(key.str(), known)));

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/report/parallel.hpp"
 #include "verification/not_a_number.hpp"
+#include "verification/parallel.hpp"
 
 namespace porowave::reports {
 
@@ -76,8 +76,9 @@ GroupSummary summary_of(const StudyTable& table, const TableGroup& group, std::s
 
 std::vector<GroupSummary> summaries_of(const StudyTable& table, std::size_t measure) {
   std::vector<GroupSummary> result(table.groups.size());
-  parallel_for(result.size(),
-               [&](std::size_t g) { result[g] = summary_of(table, table.groups[g], measure); });
+  verification::parallel_for(result.size(), [&](std::size_t g) {
+    result[g] = summary_of(table, table.groups[g], measure);
+  });
   return result;
 }
 

@@ -5,9 +5,9 @@
 #include "reports/progress.hpp"
 #include "reports/report/critical_map.hpp"
 #include "reports/report/page.hpp"
-#include "reports/report/parallel.hpp"
 #include "reports/report/run_sections.hpp"
 #include "reports/report/summary.hpp"
+#include "verification/parallel.hpp"
 
 namespace porowave::reports {
 
@@ -29,7 +29,8 @@ std::vector<const Figure*> all_figures(const ReportContent& content) {
 std::vector<fs::path> draw_all(const std::vector<const Figure*>& figures, const fs::path& output) {
   Progress progress("porowave report", static_cast<int>(figures.size()));
   std::vector<std::vector<fs::path>> drawn(figures.size());
-  parallel_for(figures.size(), [&](std::size_t i) { drawn[i] = draw(*figures[i], output); });
+  verification::parallel_for(figures.size(),
+                             [&](std::size_t i) { drawn[i] = draw(*figures[i], output); });
   std::vector<fs::path> files;
   for (auto& of_figure : drawn) files.insert(files.end(), of_figure.begin(), of_figure.end());
   return files;

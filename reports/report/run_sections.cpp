@@ -9,12 +9,12 @@
 #include "reports/history_figures.hpp"
 #include "reports/progress.hpp"
 #include "reports/report/figure_parts.hpp"
-#include "reports/report/parallel.hpp"
 #include "reports/report/run_claims.hpp"
 #include "reports/report/text_forms.hpp"
 #include "reports/wave_figures.hpp"
 #include "verification/field_errors.hpp"
 #include "verification/not_a_number.hpp"
+#include "verification/parallel.hpp"
 #include "verification/run.hpp"
 
 namespace porowave::reports {
@@ -187,7 +187,7 @@ RunSection section_of(const Runs& all, const StudyReport& study, const std::stri
 
 std::vector<FinishedRun> finished_runs(const RunPlan& plan, const ReportContent& content) {
   std::vector<FinishedRun> runs(plan.runs.size());
-  parallel_for(runs.size(), [&](std::size_t i) {
+  verification::parallel_for(runs.size(), [&](std::size_t i) {
     runs[i] = finished(plan.runs[i], content.studies[plan.runs[i].study].measure);
   });
   return runs;

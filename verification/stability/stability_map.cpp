@@ -4,11 +4,10 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
-#include <atomic>
 #include <mutex>
-#include <thread>
 
 #include "reference/problem/errors.hpp"
+#include "verification/parallel.hpp"
 
 namespace porowave::verification {
 
@@ -50,31 +49,15 @@ std::vector<MappedStability> stability_map(const Study& study,
                                            const solver::CriticalSettings& settings, int jobs,
                                            const std::function<void(std::size_t)>& progress) {
   std::vector<MappedStability> map(study.cases.size());
-  std::atomic<std::size_t> next = 0;
   std::mutex one_at_a_time;
   std::size_t done = 0;
-  std::exception_ptr failure;
-  const auto work = [&] {
-    try {
-      for (std::size_t i = next++; i < map.size(); i = next++) {
-        map[i] = mapped(study.cases[i].scene, settings);
-        const std::scoped_lock lock(one_at_a_time);
-        ++done;
-        if (progress) progress(done);
-      }
-    } catch (...) {
-      next = map.size();
-      const std::scoped_lock lock(one_at_a_time);
-      failure = std::current_exception();
-    }
+  const auto fill = [&](std::size_t i) {
+    map[i] = mapped(study.cases[i].scene, settings);
+    const std::scoped_lock lock(one_at_a_time);
+    ++done;
+    if (progress) progress(done);
   };
-  const auto wanted =
-      jobs > 0 ? static_cast<std::size_t>(jobs) : std::max(1U, std::thread::hardware_concurrency());
-  {
-    std::vector<std::jthread> threads;
-    for (std::size_t i = 0; i < std::min(wanted, map.size()); ++i) threads.emplace_back(work);
-  }
-  if (failure) std::rethrow_exception(failure);
+  parallel_for(map.size(), fill, static_cast<std::size_t>(std::max(jobs, 0)));
   return map;
 }
 

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "reference/problem/errors.hpp"
+#include "verification/parallel.hpp"
 #include "verification/study/case_identity.hpp"
 
 namespace porowave::verification {
@@ -163,19 +165,58 @@ StudyCase make_case(const TomlDocument& document, const Study& study, std::vecto
   return result;
 }
 
-/// All combinations; documents along the way are shared by the axes that follow.
-void expand(const TomlDocument& document, const std::vector<Exclusion>& exclusions,
-            std::vector<TomlValue>& at, Study& study) {
-  if (at.size() == study.axes.size()) {
-    if (!excluded(exclusions, at)) study.cases.push_back(make_case(document, study, at));
+/// Values of the first axes, and the document with them.
+struct Branch {
+  TomlDocument document;
+  std::vector<TomlValue> at;
+
+  Branch with(const Axis& axis, std::size_t value) const {
+    Branch longer{with_value(document, axis, value), at};
+    longer.at.push_back(axis.values[value]);
+    return longer;
+  }
+};
+
+/// All combinations of a branch with the axes that follow, which share the documents on their way.
+void expand(const Branch& branch, const std::vector<Exclusion>& exclusions, const Study& study,
+            std::vector<StudyCase>& cases) {
+  if (branch.at.size() == study.axes.size()) {
+    if (!excluded(exclusions, branch.at)) {
+      cases.push_back(make_case(branch.document, study, branch.at));
+    }
     return;
   }
-  const Axis axis = study.axes[at.size()];
+  const Axis& axis = study.axes[branch.at.size()];
   for (std::size_t v = 0; v < axis.values.size(); ++v) {
-    at.push_back(axis.values[v]);
-    expand(with_value(document, axis, v), exclusions, at, study);
-    at.pop_back();
+    expand(branch.with(axis, v), exclusions, study, cases);
   }
+}
+
+/// The beginnings of all combinations: enough of them that every core gets its share.
+std::vector<Branch> branches_of(const TomlDocument& document, const std::vector<Axis>& axes) {
+  constexpr std::size_t enough = 64;
+  constexpr std::size_t most = 4096;  // each holds a document
+  std::vector<Branch> branches = {{document, {}}};
+  for (const Axis& axis : axes) {
+    if (branches.size() >= enough || branches.size() * axis.values.size() > most) break;
+    std::vector<Branch> longer;
+    for (const Branch& branch : branches) {
+      for (std::size_t v = 0; v < axis.values.size(); ++v) longer.push_back(branch.with(axis, v));
+    }
+    branches = std::move(longer);
+  }
+  return branches;
+}
+
+std::vector<StudyCase> all_cases(const TomlDocument& document,
+                                 const std::vector<Exclusion>& exclusions, const Study& study) {
+  const std::vector<Branch> branches = branches_of(document, study.axes);
+  std::vector<std::vector<StudyCase>> parts(branches.size());
+  parallel_for(branches.size(),
+               [&](std::size_t b) { expand(branches[b], exclusions, study, parts[b]); });
+  std::vector<StudyCase> cases;
+  for (auto& part : parts) std::move(part.begin(), part.end(), std::back_inserter(cases));
+  return cases;
 }
 
 void require_distinct(const Study& study) {
@@ -209,10 +250,9 @@ Study read_study(const TomlDocument& document) {
     throw InputError(
         fmt::format("{}: [axes]: {} cases: expected at most {}", study.path, count, most_cases));
   }
-  std::vector<TomlValue> at;
   const TomlDocument alone = document.without(
       {"study", "axes", "method", "refine", "exclude", "gate", "known_failure", "adapter"});
-  expand(alone, read_exclusions(document, study.axes), at, study);
+  study.cases = all_cases(alone, read_exclusions(document, study.axes), study);
   require_distinct(study);
   if (study.cases.empty()) {
     throw InputError(study.path + ": [[exclude]] leaves no case: expected at least one");
