@@ -36,6 +36,9 @@ scene() {
 counted() {
   scene frozen ColumnSolver -e 's/^flip = 1.0/&/'
   scene points ColumnSolver -e 's/^flip = 1.0/&\npath = "points"/'
+  # Nothing but what the wave has reached may count.
+  scene long_column ColumnSolver -e 's/^length = 0.1/length = 2.0/' -e 's/^elements = 200/elements = 4000/' \
+    -e 's/^flip = 1.0/&\npath = "points"/'
   scene shape ColumnSolver -e '/^kernel\|^support\|^basis/d' -e 's/"mls"/"shape"/' \
     -e 's/^flip = 1.0/&\npath = "points"/'
   scene staggered4 StaggeredSolver -e '/^kernel\|^support\|^basis/d' -e 's/^transfer.*/scheme = "staggered4"/'

@@ -135,12 +135,28 @@ void ColumnSolver::add_body_force(IndexRange nodes, double* effective, double* p
                          {solid_.nodes.volume, fluid_.nodes.volume}, nodes, effective, pressure);
 }
 
-// Points that are eliminated have at most the values of nodes, and twice those of cells.
-bool ColumnSolver::surely_bounded(double velocity, double stress) const {
-  const auto q = frozen_->node_values();
-  const auto e = frozen_->cell_values();
-  return bounded(q[0], velocity) && bounded(q[1], velocity) && bounded(e[0], 0.5 * stress) &&
-         bounded(e[1], 0.5 * stress);
+// Beyond the window all is at rest. Points that are eliminated have at most the values of nodes,
+// and twice those of cells.
+bool ColumnSolver::surely_bounded(double velocity, double effective, double pressure) const {
+  const IndexRange cells{
+      0, points_moved_ ? node_count_ - 1 : std::min(window_.nodes, node_count_ - 1)};
+  if (frozen_) {
+    const auto q = frozen_->node_values();
+    const auto e = frozen_->cell_values();
+    const double stress = 0.5 * std::min(effective, pressure);
+    return bounded(q[0].first(window_.nodes), velocity) &&
+           bounded(q[1].first(window_.nodes), velocity) &&
+           bounded(e[0].first(cells.size()), stress) && bounded(e[1].first(cells.size()), stress);
+  }
+  const auto all_bounded = [&](const PhaseState& phase, double stress) {
+    const IndexRange points = phase.prepared.operators->points_of(cells);
+    const auto among = [&](const std::vector<double>& values) {
+      return std::span(values).subspan(points.first, points.size());
+    };
+    return bounded(among(phase.values.stress), stress) &&
+           bounded(among(phase.values.velocity), velocity);
+  };
+  return all_bounded(solid_, effective) && all_bounded(fluid_, pressure);
 }
 
 std::optional<Breakdown> ColumnSolver::find_breakdown() const {
@@ -148,16 +164,11 @@ std::optional<Breakdown> ColumnSolver::find_breakdown() const {
   const double modulus = only_loaded_ ? scene_.problem.material.constrained_modulus : finite;
   const double stress = only_loaded_ ? growth_limit * scene_.problem.stress_scale() : finite;
   const double velocity = only_loaded_ ? growth_limit * scene_.problem.velocity_scale() : finite;
+  if (surely_bounded(velocity, std::min(stress, modulus), stress)) return std::nullopt;
   if (frozen_) {
-    if (surely_bounded(velocity, std::min(stress, modulus))) return std::nullopt;
     ColumnSolver now(*this);
     now.thaw();
     return now.find_breakdown();
-  }
-  if (bounded(solid_.values.stress, std::min(stress, modulus)) &&
-      bounded(fluid_.values.stress, stress) && bounded(solid_.values.velocity, velocity) &&
-      bounded(fluid_.values.velocity, velocity)) {
-    return std::nullopt;
   }
   const auto check = [&](const auto& values, Phase phase, double limit, const char* quantity) {
     return worst_of(values, state_of(phase).points, limit, phase, quantity);

@@ -390,6 +390,7 @@ void ColumnSolver::step_frozen(long steps) {
 }
 
 void ColumnSolver::renew_weights() {
+  points_moved_ = true;
   move_points();
   make_weights();
 }

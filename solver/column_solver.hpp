@@ -171,7 +171,7 @@ class ColumnSolver {
   void drive_otherwise();  // than by the load alone
   void add_body_force(IndexRange nodes, double* effective, double* pressure) const;
   void synchronise_velocities();  // half a step, after which the object cannot step on
-  bool surely_bounded(double velocity, double stress) const;
+  bool surely_bounded(double velocity, double effective, double pressure) const;
   std::optional<Breakdown> find_breakdown() const;
   Breakdown moved_too_far() const;  // for path = "frozen"
 
@@ -188,8 +188,9 @@ class ColumnSolver {
   long single_until_ = 0;               // no several steps at a time before this one
   std::size_t node_count_;
   SignalWindow window_;
-  std::size_t part_nodes_;  // nodes of one part of the column
-  bool lagged_;             // whether a part reaches no farther than the next one
+  bool points_moved_ = false;  // since the start, by renewed weights
+  std::size_t part_nodes_;     // nodes of one part of the column
+  bool lagged_;                // whether a part reaches no farther than the next one
   std::size_t threads_;
   std::vector<PartScratch> scratch_;  // one a thread
   BodyForce body_force_;              // may be empty
