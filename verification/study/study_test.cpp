@@ -1,6 +1,8 @@
 #include "verification/study/study.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <filesystem>
 #include <set>
 
 #include "reference/problem/errors.hpp"
@@ -135,6 +137,27 @@ BOOST_AUTO_TEST_CASE(wrong_studies_are_refused_with_the_line_of_the_value) {
              std::string::npos);
   BOOST_TEST(message_of("[axes]\n\"discretization.kernl\" = [1]\n").find("unknown key") !=
              std::string::npos);
+}
+
+// paper_case.toml is a case, paper_problem.toml a problem, the others are studies.
+BOOST_AUTO_TEST_CASE(the_files_that_come_with_it_are_what_their_names_say) {
+  std::set<std::string> found;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(POROWAVE_SOURCE_DIR "/verification/studies")) {
+    const std::string path = entry.path().string();
+    if (entry.path().extension() != ".toml") continue;
+    BOOST_TEST_CONTEXT(path) {
+      if (path.ends_with("_case.toml")) {
+        BOOST_CHECK_NO_THROW(solver::load_case(path));
+      } else if (path.ends_with("_problem.toml")) {
+        BOOST_CHECK_NO_THROW(load_problem(path));
+      } else {
+        BOOST_CHECK_NO_THROW(found.insert(load_study(path).name));
+      }
+    }
+  }
+  const std::set<std::string> needed = {"nightly", "paper", "pull_request", "smoke"};
+  BOOST_TEST(std::includes(found.begin(), found.end(), needed.begin(), needed.end()));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
