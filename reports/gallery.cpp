@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <functional>
 #include <iterator>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -159,27 +161,24 @@ const std::map<std::string, std::function<Files(const Directory&)>> figures = {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  std::vector<std::string> names(arguments.empty() ? arguments.end() : arguments.begin() + 1,
-                                 arguments.end());
-  for (const std::string& name : names) {
-    if (figures.count(name) == 0) {
-      fmt::print(stderr, "porowave-gallery: there is no figure {}\n", name);
-      return 2;
-    }
+  CLI::App program("The project's own figures: porowave-gallery DIRECTORY [NAME...]");
+  std::string directory;
+  std::vector<std::string> names;
+  std::set<std::string> known;
+  for (const auto& [name, make] : figures) known.insert(name);
+  program.add_option("directory", directory, "Where they are written; made if absent")->required();
+  program.add_option("names", names, "Which ones; all if absent")->check(CLI::IsMember(known));
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? 0 : 2;
   }
-  if (arguments.empty()) {
-    fmt::print(stderr, "porowave-gallery: expected a directory, and names of figures or none\n");
-    return 2;
-  }
-  if (names.empty()) {
-    for (const auto& [name, make] : figures) names.push_back(name);
-  }
+  if (names.empty()) names.assign(known.begin(), known.end());
   try {
     reports::require_gnuplot();
-    std::filesystem::create_directories(arguments.front());
+    std::filesystem::create_directories(directory);
     for (const std::string& name : names) {
-      for (const auto& path : figures.at(name)(arguments.front())) {
+      for (const auto& path : figures.at(name)(directory)) {
         fmt::print("wrote {}\n", path.string());
       }
     }
