@@ -19,7 +19,7 @@ bash "$root/ci/install-deps.sh" --dev
 cd "$root"
 cmake --preset "$preset" -DPOROWAVE_UNITY_BUILD=ON >/dev/null
 cmake --build --preset "$preset" --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}" || exit 1
-export UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS="halt_on_error=1 second_deadlock_stack=1"
+export UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS="halt_on_error=1 second_deadlock_stack=1 ignore_noninstrumented_modules=1"
 export ARCHER_OPTIONS="verbose=0"
 ctest --preset "$preset" --no-tests=error --timeout 1500 -LE 'cost|package|style' \
   -j "${CTEST_PARALLEL_LEVEL:-$(nproc)}" "$@" || exit 1
