@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(cases_beyond_their_critical_step_are_counted) {
   BOOST_REQUIRE(content.studies[0].runs.size() == 1u);
   const ReportFigure& figure = content.studies[0].runs[0].figures.at(0);
   BOOST_TEST(contains(figure.claim, "(20 elements)"));
-  BOOST_TEST(contains(figure.claim, "Of 2 scenes "));
+  BOOST_TEST(contains(figure.claim, "Of 2 scenes 1 are stable up to courant 1;"), figure.claim);
   BOOST_TEST(contains(figure.claim, "; 0 have a case beyond its critical step"));
   BOOST_TEST(contains(figure.claim, "transfer = shape"), figure.claim);
   const auto at = figure.claim.find("Lowest: ");
@@ -83,6 +83,28 @@ BOOST_AUTO_TEST_CASE(what_takes_long_is_left_out_with_its_command) {
   BOOST_TEST(contains(content.run_notes[0], "of the 2 scenes of trial"));
   BOOST_TEST(contains(content.run_notes[0], "beyond --map-seconds 5"));
   BOOST_TEST(contains(content.run_notes[0], "porowave report results --output out --map-seconds "));
+}
+
+// Two studies, each of which would fit alone.
+BOOST_AUTO_TEST_CASE(the_time_allowed_is_for_all_studies) {
+  auto content = content_of(two_transfers(100, 0.5));
+  content.studies.push_back(content.studies[0]);
+  content.options.map_seconds = 6.0;
+  auto alone = content;
+  alone.studies.pop_back();
+  alone.options.map_seconds = 0.0;
+  add_critical_maps(alone);
+  const std::string& note = alone.run_notes.at(0);
+  const double seconds = std::stod(note.substr(note.find("about ") + 6));
+  BOOST_REQUIRE(seconds > 3.0);
+  BOOST_REQUIRE(seconds < 6.0);
+  add_critical_maps(content);
+  BOOST_TEST(content.studies[0].runs.size() == 1u);
+  BOOST_TEST(content.studies[1].runs.empty());
+  BOOST_REQUIRE(content.run_notes.size() == 1u);
+  const std::string& left_out = content.run_notes[0];
+  const auto at = left_out.find("--map-seconds ", left_out.find("drawn by"));
+  BOOST_TEST(std::stod(left_out.substr(at + 14)) >= 2.0 * seconds - 1.0);
 }
 
 // Groups that differ in the end of the run are one scene, and one scene is no map.
