@@ -87,24 +87,21 @@ BOOST_AUTO_TEST_CASE(what_takes_long_is_left_out_with_its_command) {
 
 // Two studies, each of which would fit alone.
 BOOST_AUTO_TEST_CASE(the_time_allowed_is_for_all_studies) {
-  auto content = content_of(two_transfers(100, 0.5));
-  content.studies.push_back(content.studies[0]);
-  content.options.map_seconds = 6.0;
-  auto alone = content;
-  alone.studies.pop_back();
-  alone.options.map_seconds = 0.0;
-  add_critical_maps(alone);
-  const std::string& note = alone.run_notes.at(0);
+  auto content = content_of(two_transfers(40, 0.5));
+  auto none = content;
+  none.options.map_seconds = 0.0;
+  add_critical_maps(none);
+  const std::string& note = none.run_notes.at(0);
   const double seconds = std::stod(note.substr(note.find("about ") + 6));
-  BOOST_REQUIRE(seconds > 3.0);
-  BOOST_REQUIRE(seconds < 6.0);
+  content.studies.push_back(content.studies[0]);
+  content.options.map_seconds = 1.5 * seconds;
   add_critical_maps(content);
   BOOST_TEST(content.studies[0].runs.size() == 1u);
   BOOST_TEST(content.studies[1].runs.empty());
   BOOST_REQUIRE(content.run_notes.size() == 1u);
   const std::string& left_out = content.run_notes[0];
   const auto at = left_out.find("--map-seconds ", left_out.find("drawn by"));
-  BOOST_TEST(std::stod(left_out.substr(at + 14)) >= 2.0 * seconds - 1.0);
+  BOOST_TEST(std::stod(left_out.substr(at + 14)) >= 1.9 * seconds);  // two digits are shown
 }
 
 // Groups that differ in the end of the run are one scene, and one scene is no map.
