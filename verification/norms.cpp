@@ -24,12 +24,20 @@ Norms relative_norms(std::span<const double> values, std::span<const double> ref
   if (values.empty() || values.size() != reference.size() || values.size() != weights.size()) {
     throw std::invalid_argument("norms: as many values, references and weights, at least one");
   }
+  double largest = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    largest = std::max({largest, std::abs(values[i]), std::abs(reference[i])});
+  }
+  // By a power of two, which no ratio feels: squares of values below 1e-154 would be zero.
+  const double unit = std::isfinite(largest) && largest > 0.0
+                          ? std::scalbn(1.0, std::min(-std::ilogb(largest), 1000))
+                          : 1.0;
   // std::max would drop a NaN; the sums keep it, so they decide about finiteness.
   double e1 = 0.0, e2 = 0.0, e_max = 0.0;
   double r1 = 0.0, r2 = 0.0, r_max = 0.0;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const double e = std::abs(values[i] - reference[i]);
-    const double r = std::abs(reference[i]);
+    const double e = unit * std::abs(values[i] - reference[i]);
+    const double r = unit * std::abs(reference[i]);
     e1 += weights[i] * e;
     r1 += weights[i] * r;
     e2 += weights[i] * e * e;

@@ -37,6 +37,11 @@ BOOST_AUTO_TEST_CASE(they_do_not_depend_on_units) {
   BOOST_TEST(a.l1 == b.l1, tt::tolerance(1e-14));
   BOOST_TEST(a.l2 == b.l2, tt::tolerance(1e-14));
   BOOST_TEST(a.linf == b.linf, tt::tolerance(1e-14));
+  for (const double unit : {1e-160, 1e-300, 1e160, 1e300}) {  // whose squares are no numbers
+    const Norms c = relative_norms(scaled(values, unit), scaled(reference, unit), weights);
+    BOOST_TEST(a.l2 == c.l2, tt::tolerance(1e-14));
+    BOOST_TEST(a.linf == c.linf, tt::tolerance(1e-14));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_value_that_is_not_finite_never_looks_small) {

@@ -99,6 +99,10 @@ class Judge {
       return set(verdict, VerdictKind::inconclusive,
                  "nothing to compare with: the study names no order, the baseline not this group");
     }
+    if (baseline_ && expected == nullptr) {
+      return set(verdict, VerdictKind::inconclusive,
+                 "nothing to compare with: the baseline has not this group");
+    }
     if (rules_.order && !order_is_right(order, group, measure, verdict)) return;
     if (expected != nullptr && !as_before(group, measure, *expected, order, verdict)) return;
     set(verdict, VerdictKind::pass, described(order));

@@ -138,6 +138,14 @@ BOOST_AUTO_TEST_CASE(nothing_to_compare_with_is_inconclusive) {
   BOOST_TEST(exit_code({}) == 3);
 }
 
+// A renamed value or the wrong file would else be no check at all.
+BOOST_AUTO_TEST_CASE(a_group_that_the_baseline_has_not_is_inconclusive_whatever_its_order) {
+  const Trial trial("[gate]\norder = 2.0\nmeasures = [\"pore_pressure_field_l2\"]\n");
+  check(verdicts_of(trial, second_order)[0], VerdictKind::pass, "order");
+  check(verdicts_of(trial, second_order, Baseline{})[0], VerdictKind::inconclusive,
+        "the baseline has not this group");
+}
+
 BOOST_AUTO_TEST_CASE(a_baseline_keeps_what_cannot_be_renewed_and_remembers_reasons) {
   const Trial trial("[gate]\nmeasures = [\"pore_pressure_field_l2\"]\n");
   const Baseline old = baseline_of(trial, second_order);
