@@ -17,7 +17,7 @@ std::array<std::complex<double>, Order + 1> phi_functions(std::complex<double> z
   // Upwards the recurrence divides by z and loses digits for small z; there a series for the
   // highest function and the recurrence downwards lose none.
   constexpr double series_radius = 4.0;
-  if (std::norm(z) > series_radius * series_radius) {
+  if (!(std::norm(z) <= series_radius * series_radius)) {  // NaN, too: its series would not end
     for (std::size_t n = 1; n <= Order; ++n) {
       phi[n] = (phi[n - 1] - 1.0 / factorial) / z;
       factorial *= static_cast<double>(n);

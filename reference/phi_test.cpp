@@ -2,6 +2,9 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <complex>
+#include <limits>
 
 BOOST_AUTO_TEST_SUITE(phi)
 
@@ -49,6 +52,14 @@ BOOST_AUTO_TEST_CASE(series_and_recurrence_meet) {
       BOOST_TEST(std::abs(difference) < 3e-11 * std::abs(phi_functions<6>(inside)[n]));
     }
   }
+}
+
+// exp(-inf) and what follows from it are 0; the part without a meaning must not keep it going.
+BOOST_AUTO_TEST_CASE(an_overflow_to_minus_infinity_gives_nothing_and_ends) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  BOOST_TEST(std::abs(phi_functions<6>({-inf, none})[6]) == 0.0);
+  BOOST_TEST(!std::isfinite(std::abs(phi_functions<6>({none, none})[6])));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

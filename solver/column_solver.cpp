@@ -12,6 +12,7 @@
 #include "reference/problem/errors.hpp"
 #include "solver/nodal_loops.hpp"
 #include "solver/particle_domain.hpp"
+#include "solver/time_step.hpp"
 
 namespace porowave::solver {
 
@@ -29,11 +30,6 @@ constexpr double negligible = 1e-30;
 
 Grid<1> make_grid(double length, int elements) {
   return {Vector<1>(0.0), length / elements, CellIndex<1>(elements)};
-}
-
-long step_count(const Case& scene, double spacing) {
-  const double stable = scene.time.courant * spacing / wave_speeds(scene.problem.material).p1;
-  return std::max(1L, std::lround(std::ceil(scene.time.end / stable * (1.0 - 1e-12))));
 }
 
 std::size_t threads_at_hand() {

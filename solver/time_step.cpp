@@ -1,9 +1,12 @@
 #include "solver/time_step.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "reference/problem/errors.hpp"
 #include "solver/column_solver.hpp"
 #include "solver/placement.hpp"
 
@@ -53,6 +56,18 @@ double linear_shape_limit(const Case& scene) {
     }
   }
   return std::sqrt(smallest);
+}
+
+long step_count(const Case& scene, double spacing) {
+  constexpr double most = 1e12;
+  const double stable = scene.time.courant * spacing / wave_speeds(scene.problem.material).p1;
+  const double steps = std::ceil(scene.time.end / stable * (1.0 - 1e-12));
+  if (!(steps <= most)) {
+    throw InputError(
+        fmt::format("[time] courant = {:g}: a run of {:g} steps: expected at most {:g}",
+                    scene.time.courant, steps, most));
+  }
+  return std::max(1L, std::lround(steps));
 }
 
 double estimated_courant(const Case& scene) {

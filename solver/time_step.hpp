@@ -1,11 +1,15 @@
 #pragma once
 
-// Stable time steps by formula, without looking at the eigenvalues of the step: what
-// stability/automatic_step.hpp falls back on.
+// How many steps a run has, and stable time steps by formula, without looking at the eigenvalues of
+// the step: what stability/automatic_step.hpp falls back on.
 
 #include "solver/case.hpp"
 
 namespace porowave::solver {
+
+// Steps of a run on cells of length `spacing` (m): the fewest equal ones that are no longer than
+// the Courant number of the case allows. Throws InputError for more than 1e12.
+long step_count(const Case& scene, double spacing);
 
 // An estimate of a stable Courant number c_1 Δt/h for a case, c_1 the speed of the fast wave
 // without drag; > 0 and <= 1. Drag and load have no part in it: drag is integrated exactly.

@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "reference/problem/errors.hpp"
 #include "reference/problem/problem_fixtures.hpp"
 #include "solver/case_fixtures.hpp"
 #include "solver/column_solver.hpp"
@@ -160,6 +161,19 @@ BOOST_AUTO_TEST_CASE(drag_never_limits_the_time_step) {
         BOOST_TEST(share > 1.0);
       }
     }
+  }
+}
+
+// Their number must not overflow to a single step.
+BOOST_AUTO_TEST_CASE(a_run_of_too_many_steps_is_refused) {
+  Case scene;
+  scene.problem = fixtures::paper_problem(Load(LoadShape::smooth_ramp, 1.0, 1e-6));
+  scene.time.end = 4e-5;
+  scene.time.courant = 1e-9;
+  BOOST_TEST(step_count(scene, 1e-3) > 10'000'000L);
+  for (const double courant : {1e-14, 1e-17, 1e-300}) {
+    scene.time.courant = courant;
+    BOOST_CHECK_THROW(step_count(scene, 1e-3), InputError);
   }
 }
 

@@ -1,4 +1,5 @@
 #include "solver/staggered/staggered_solver.hpp"
+#include "solver/time_step.hpp"
 
 #include <fmt/format.h>
 
@@ -19,11 +20,6 @@ constexpr long steps_between_checks = 16;
 constexpr double at_rest = 1e-20;
 constexpr std::size_t margin = 24;
 constexpr std::size_t window_growth = 64;
-
-long step_count(const Case& scene, double spacing) {
-  const double stable = scene.time.courant * spacing / wave_speeds(scene.problem.material).p1;
-  return std::max(1L, std::lround(std::ceil(scene.time.end / stable * (1.0 - 1e-12))));
-}
 
 // What is beyond its limit first, and where.
 std::optional<std::string> excess_of(const std::vector<double>& values, double limit,
