@@ -14,6 +14,10 @@
 
 namespace {
 
+std::string not_empty(const std::string& text) {
+  return text.empty() ? "expected a value that is not empty" : "";
+}
+
 enum ExitCode { done = 0, wrong_input = 2, broke_down = 4, environment = 5 };
 
 int fail(ExitCode code, const char* message) {
@@ -72,6 +76,10 @@ int run(int argc, char** argv) {
   porowave::reports::add_demo_command(program, command);
   for (CLI::App* sub : program.get_subcommands({})) {
     sub->set_version_flag("--version", "porowave " POROWAVE_VERSION);
+    // What a script's unset variable gives must not pass for an option that is absent.
+    for (CLI::Option* option : sub->get_options()) {
+      if (option->get_items_expected_max() > 0) option->check(not_empty);
+    }
   }
   try {
     program.parse(argc, argv);

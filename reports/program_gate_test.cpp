@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {
   check_failure(gate("", {"--baseline", "none.csv"}), 2, {"none.csv"});
   check_failure(gate("", {"--rebaseline", "why"}), 2, {"--baseline"});
   check_failure(gate("", {"--baseline", "b.csv", "--rebaseline", "two\nlines"}), 2, {"one line"});
-  check_failure(gate("", {"--baseline", "b.csv", "--rebaseline", ""}), 2, {"one line"});
+  check_failure(gate("", {"--baseline", "b.csv", "--rebaseline", ""}), 2, {"not empty"});
   check_failure(gate("[gate]\nmeasures = [\"p\"]\n"), 2, {"[gate] measures"});
   BOOST_TEST(gate.folder.contents() == "results study.toml");
   std::filesystem::remove(gate.folder / "results");

@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <random>
 #include <thread>
 
@@ -115,6 +116,12 @@ BOOST_AUTO_TEST_CASE(shards_merge_to_the_whole) {
   }
   const auto merged = run_porowave({"merge", "whole", "part1", "part2"}, folder.path());
   BOOST_TEST(merged.output == "12 rows, 12 of them new\nwrote whole\n");
+  write_text(folder / "part3", "");  // of a sweep killed while it made its store
+  const auto more = run_porowave({"merge", "whole", "part1", "part3"}, folder.path());
+  BOOST_TEST(more.exit_code == 0);
+  BOOST_TEST(contains(more.output, "part3 is empty: no rows\n12 rows, 0 of them new"), more.output);
+  check_failure(run_porowave({"merge", "whole", "part1", "whole"}, folder.path()), 2,
+                {"whole: is the store that takes the rows"});
   BOOST_TEST(essences(folder / "whole") == essences(folder / "alone"),
              boost::test_tools::per_element());
   const auto again = run_porowave({"sweep", "study.toml", "--store", "whole"}, folder.path());
@@ -161,6 +168,17 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused_and_leaves_no_store) {
     check_failure(sweep({"study.toml", "--store", "s", "--shard", shard}), 2, {"--shard", shard});
   }
   check_failure(sweep({"study.toml", "--store", "s", "--jobs", "0"}), 2, {"--jobs"});
+  // A variable that is not set is no option that is absent.
+  for (const std::string option : {"--case", "--cases", "--shard"}) {
+    check_failure(sweep({"study.toml", "--store", "s", option, ""}), 2, {option, "not empty"});
+  }
+  check_failure(sweep({"study.toml", "--store", ""}), 2, {"--store", "not empty"});
+  for (const std::string option : {"--cases", "--shard", "--jobs"}) {
+    check_failure(sweep({"study.toml", "--store", "s", "--case", "ab", option, "1"}), 2,
+                  {"--case", option});
+  }
+  check_failure(sweep({"study.toml", "--store", "s", "--case", "ab", "--dry-run"}), 2,
+                {"--dry-run"});
   check_failure(sweep({"study.toml", "--store", "study.toml"}), 2, {"study.toml", "store"});
   check_failure(sweep({"study.toml", "--store", "no/such/folder/s"}), 5, {"no/such/folder/s"});
   check_failure(run_porowave({"merge", "s", "study.toml"}, folder.path()), 2, {"study.toml"});
@@ -168,6 +186,9 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused_and_leaves_no_store) {
   BOOST_TEST(folder.contents() == "study.toml wrong.toml");
   BOOST_TEST(sweep({"study.toml", "--store", "s", "--dry-run"}).output == "trial: 8 cases\n");
   BOOST_TEST(folder.contents() == "study.toml wrong.toml");
+  // A name by which SQLite means no file.
+  BOOST_TEST(sweep({"study.toml", "--store", ":memory:"}).exit_code == 0);
+  BOOST_TEST(std::filesystem::is_regular_file(folder / ":memory:"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

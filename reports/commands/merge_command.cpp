@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 
+#include "reference/problem/errors.hpp"
 #include "reports/commands/commands.hpp"
 #include "verification/store/store.hpp"
 
@@ -17,12 +19,25 @@ struct MergeOptions {
 
 int run_merge(const MergeOptions& options) {
   // What is no store is refused before anything is written.
-  for (const std::string& source : options.sources) verification::Store::open(source);
+  std::vector<std::string> sources;
+  for (const std::string& source : options.sources) {
+    std::error_code none;
+    if (std::filesystem::equivalent(source, options.target, none)) {
+      throw InputError(source + ": is the store that takes the rows: expected others");
+    }
+    // All that a sweep killed while it made its store has left.
+    if (std::filesystem::is_regular_file(source, none) && std::filesystem::is_empty(source, none)) {
+      fmt::print("{} is empty: no rows\n", source);
+      continue;
+    }
+    verification::Store::open(source);
+    sources.push_back(source);
+  }
   // A new store may lie on a network file system: the merging job of a cluster makes it.
   auto store =
       verification::Store::create_or_open(options.target, verification::Store::Journal::rollback);
   const std::size_t before = store.count();
-  for (const std::string& source : options.sources) store.merge(source);
+  for (const std::string& source : sources) store.merge(source);
   fmt::print("{} rows, {} of them new\nwrote {}\n", store.count(), store.count() - before,
              options.target);
   return 0;

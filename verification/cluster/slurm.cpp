@@ -36,7 +36,7 @@ constexpr auto merge_script = R"(#!/bin/sh
 program=$1 store=$2 folder=$3
 set --
 for shard in "$folder"/*-*[0-9]; do
-  if [ -f "$shard" ]; then set -- "$@" "$shard"; fi
+  if [ -s "$shard" ]; then set -- "$@" "$shard"; fi
 done
 if [ $# -eq 0 ]; then
   echo "$folder: no task has left a store" >&2

@@ -109,10 +109,12 @@ Database::Database(const std::string& path, Mode mode) : path_(path) {
   }
   if (mode == Mode::read) roll_back(path);
   sqlite3* opened = nullptr;
+  // SQLite has names that are no files, such as ":memory:"; a path with a folder is none of them.
+  const std::string file = std::filesystem::path(path).is_absolute() ? path : "./" + path;
   // WAL needs its index even to read, so reading asks for no less than writing where it may.
   const int flags =
       mode == Mode::read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
-  const int code = sqlite3_open_v2(path.c_str(), &opened, flags, nullptr);
+  const int code = sqlite3_open_v2(file.c_str(), &opened, flags, nullptr);
   database_.reset(opened);
   if (code != SQLITE_OK) fail(path_, opened, code);
   sqlite3_extended_result_codes(opened, 1);

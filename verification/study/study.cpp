@@ -245,10 +245,11 @@ Study read_study(const TomlDocument& document) {
   study.refine = read_refinement(document, study.axes);
   study.seed = axis_named(study.axes, seed_axis);
   std::size_t count = 1;
-  for (const Axis& axis : study.axes) count *= std::min(axis.values.size(), most_cases);
-  if (count > most_cases) {
-    throw InputError(
-        fmt::format("{}: [axes]: {} cases: expected at most {}", study.path, count, most_cases));
+  for (const Axis& axis : study.axes) {
+    count *= axis.values.size();
+    if (count <= most_cases) continue;
+    throw InputError(fmt::format("{}: [axes]: {} cases or more: expected at most {}", study.path,
+                                 count, most_cases));
   }
   const TomlDocument alone = document.without(
       {"study", "axes", "method", "refine", "exclude", "gate", "known_failure", "adapter"});

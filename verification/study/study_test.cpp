@@ -139,6 +139,16 @@ BOOST_AUTO_TEST_CASE(wrong_studies_are_refused_with_the_line_of_the_value) {
              std::string::npos);
 }
 
+// 2^16 values on four axes: as many cases as 64 bits cannot count.
+BOOST_AUTO_TEST_CASE(more_cases_than_can_be_counted_are_refused) {
+  std::string axes = "[axes]\n";
+  for (const std::string key : {"seed", "elements", "points_per_element", "jitter"}) {
+    axes += "\"discretization." + key + "\" = { first = 1, count = 65536 }\n";
+  }
+  BOOST_TEST(message_of(axes).find("cases or more: expected at most 10000000") != std::string::npos,
+             message_of(axes));
+}
+
 // paper_case.toml is a case, paper_problem.toml a problem, the others are studies.
 BOOST_AUTO_TEST_CASE(the_files_that_come_with_it_are_what_their_names_say) {
   std::set<std::string> found;
